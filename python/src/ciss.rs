@@ -136,7 +136,7 @@ pub(crate) fn case_of_pair(
         Some(Ok(1)) => Some(VehicleId::One),
         Some(Ok(2)) => Some(VehicleId::Two),
         Some(_) => {
-            return Err(PyValueError::new_err("recorder: give 1 or 2, the vehicle whose it is, or None"));
+            return Err(PyValueError::new_err("recorder: give 1 or 2, the vehicle it belongs to, or None"));
         }
     };
     let mut pairs = read(text).map_err(|error| match error {
@@ -149,7 +149,7 @@ pub(crate) fn case_of_pair(
     let pair: Pair = pairs.remove(0);
     if let Some(vehicle) = given.filter(|vehicle| pair.vehicles[vehicle.index()].truth().is_none()) {
         return Err(PyValueError::new_err(format!(
-            "recorder={}: that vehicle has no ΔV of a recorder that can be used; leave it out",
+            "recorder={}: that vehicle has no usable ΔV from a recorder; leave it out",
             vehicle.index() + 1
         )));
     }

@@ -19,14 +19,14 @@ use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 /// ``columns[key]`` is a NumPy array on the memory of the result, without a copy: it cannot be written to,
 /// and outlives the result. A sample without an answer is NaN. Whatever speaks Arrow takes the whole as it
 /// is: ``polars.DataFrame(columns)``, ``pyarrow.record_batch(columns)``,
-/// ``pandas.DataFrame.from_arrow(columns)``. There the columns are called as their keys, with ``_`` in
+/// ``pandas.DataFrame.from_arrow(columns)``. There the columns are named after their keys, with ``_`` in
 /// place of dots and brackets, and ``columns["vehicle1_speed"]`` knows them by these names, too; a sample
 /// without an answer is null, and the column ``failed`` says why it has none.
 ///
 /// Raises
 /// ------
 /// KeyError
-///     For a column that there is not; the text names those that there are.
+///     If there is no such column; the message lists those that exist.
 ///
 /// Examples
 /// --------
@@ -147,12 +147,12 @@ impl Columns {
         self.keys.iter().map(|key| Ok((key.clone(), self.__getitem__(py, key)?))).collect()
     }
 
-    /// The column of a key, or what else is given.
+    /// The column of a key, or the default.
     ///
     /// Parameters
     /// ----------
     /// key : str
-    ///     As of ``columns[key]``.
+    ///     As in ``columns[key]``.
     /// default : optional
     ///     What is returned where there is no such column.
     ///

@@ -39,7 +39,7 @@ fn table(mapping: &Bound<'_, PyMapping>, path: &str, depth: usize) -> PyResult<V
     for item in mapping.items()?.iter() {
         let (key, value) = item.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
         let Ok(key) = key.extract::<String>() else {
-            let message = format!("the key {} is no text", key.repr()?);
+            let message = format!("the key {} is not a text", key.repr()?);
             return Err(wrong_value(
                 mapping.py(),
                 path,
@@ -56,12 +56,7 @@ fn table(mapping: &Bound<'_, PyMapping>, path: &str, depth: usize) -> PyResult<V
 fn node(value: &Bound<'_, PyAny>, path: &str, depth: usize) -> PyResult<Node> {
     let py = value.py();
     if depth > DEEPEST {
-        return Err(wrong_value(
-            py,
-            path,
-            "tables are too deep within each other",
-            "a case has four levels at most",
-        ));
+        return Err(wrong_value(py, path, "tables are nested too deeply", "a case has four levels at most"));
     }
     if let Ok(flag) = value.cast::<PyBool>() {
         return Ok(Node::Word(flag.is_true().to_string()));

@@ -182,9 +182,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// OSError
-    ///     Where the file cannot be read.
+    ///     If the file cannot be read.
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -211,7 +211,7 @@ impl PyCase {
     /// text : str
     ///     The text; ``Case.read`` takes a path.
     /// name : str
-    ///     What errors and results call it.
+    ///     Its name in errors and results.
     ///
     /// Returns
     /// -------
@@ -220,7 +220,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -245,7 +245,7 @@ impl PyCase {
         let text = text.to_str()?;
         if is_path(text) {
             let shown = case::shown(text);
-            let problem = format!("\"{shown}\" is no text of a case file, but the path of one");
+            let problem = format!("\"{shown}\" is not the text of a case file, but the path of one");
             return Err(wrong_value(py, "", &problem, &format!("Case.read(\"{shown}\") reads the file")));
         }
         Given::parsed(py, name, text.as_bytes(), None)
@@ -261,7 +261,7 @@ impl PyCase {
     /// case : Mapping
     ///     Tables as dicts, texts, numbers, flags, lists, and arrays of NumPy.
     /// name : str
-    ///     What errors and results call it.
+    ///     Its name in errors and results.
     ///
     /// Returns
     /// -------
@@ -270,7 +270,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -349,9 +349,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -372,9 +372,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -397,9 +397,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -428,9 +428,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -443,7 +443,7 @@ impl PyCase {
         self.asked(py, Request::Crush, None)
     }
 
-    /// Says what the case allows, what is assumed where it says nothing, and what it warns of, without
+    /// Shows what the case allows, what is assumed where it gives nothing, and the warnings, without
     /// solving it.
     ///
     /// Returns
@@ -469,9 +469,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -483,7 +483,7 @@ impl PyCase {
         self.asked(py, Request::Compare, None)
     }
 
-    /// Gives the derivatives of the answer by each input, and sweeps the PDOF to both sides.
+    /// Gives the derivatives of the answer with respect to each input, and sweeps the PDOF to both sides.
     ///
     /// Parameters
     /// ----------
@@ -500,11 +500,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a step or a number of steps that cannot be.
+    ///     If the step or the number of steps is not valid.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -530,7 +530,7 @@ impl PyCase {
     /// Parameters
     /// ----------
     /// samples : int, optional
-    ///     (–) without it 100,000, or 1000 where the vehicles are searched back from their rests.
+    ///     (–) by default 100,000, or 1000 if the vehicles are searched back from their rests.
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
     /// method : {"monte-carlo", "latin-hypercube", "sobol"}
@@ -538,7 +538,7 @@ impl PyCase {
     /// sobol : int, optional
     ///     (–) rows, such as 4096, from which Sobol' indices are computed.
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The results do not depend on it, bit for bit.
     ///
     /// Returns
     /// -------
@@ -548,11 +548,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number or a method that cannot be.
+    ///     If a number or the method is not valid.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -595,13 +595,13 @@ impl PyCase {
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
     /// prior : {"field", "serious-injury", "flat"}, optional
-    ///     What is taken before the evidence, in place of what the case says.
+    ///     The severity before the evidence, in place of that of the case.
     /// pieces : bool
-    ///     Whether to ask what each piece of evidence says alone, which takes most of the time.
+    ///     Whether to compute the answer by each piece of evidence alone, which takes most of the time.
     /// above : sequence of str
     ///     Questions such as ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above?
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The results do not depend on it, bit for bit.
     ///
     /// Returns
     /// -------
@@ -612,11 +612,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number, a prior or a question that cannot be.
+    ///     If a number, the prior or a question is not valid.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -646,8 +646,8 @@ impl PyCase {
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
-    /// What the event data recorders say alone: the speed at impact with its error, the distance travelled
-    /// between samples, the pulse.
+    /// What the event data recorders give on their own: the speed at impact with its error, the distance
+    /// travelled between samples, the pulse.
     ///
     /// Returns
     /// -------
@@ -658,7 +658,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case has no table of a recorder; the text says what to write.
+    ///     If the case has no table of a recorder; the message says what to write.
     ///
     /// Examples
     /// --------
@@ -677,13 +677,13 @@ impl PyCase {
     /// Parameters
     /// ----------
     /// samples : int
-    ///     (–) where numbers of the case are ranges.
+    ///     (–) if numbers of the case are ranges.
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
     /// exact : bool
     ///     Take the speed of the exact solution, even if there is more evidence.
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The results do not depend on it, bit for bit.
     ///
     /// Returns
     /// -------
@@ -694,11 +694,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number that cannot be.
+    ///     If a number is not valid.
     /// CaseError
-    ///     Where the case lacks what it needs, such as a reaction time; the text says what.
+    ///     If the case lacks something that is needed, such as a reaction time; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------
@@ -729,16 +729,16 @@ impl PyCase {
 
     /// Draws the most complete analysis that the case allows.
     ///
-    /// Where the case has more evidence than that uses, the drawing says so below its title.
+    /// If the case has more evidence than that uses, the drawing says so below its title.
     ///
     /// Parameters
     /// ----------
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
     ///     What to draw.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     /// plain : bool
-    ///     Scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has
+    ///     Scene and motion for readers who are not engineers; without speeds where only ``estimate()`` has
     ///     them.
     ///
     /// Returns
@@ -748,11 +748,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a drawing that there is not.
+    ///     If there is no such drawing.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the message says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision fits the case.
     ///
     /// Examples
     /// --------

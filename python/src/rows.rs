@@ -168,7 +168,7 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// threads : int, optional
-///     Without it one for each processor. The bits do not depend on it.
+///     By default one for each processor. The results do not depend on it, bit for bit.
 ///
 /// Returns
 /// -------
@@ -179,9 +179,9 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 /// Raises
 /// ------
 /// CaseError
-///     Where the template is wrong.
+///     If the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -211,15 +211,15 @@ pub(crate) fn reconstruct_table(
 /// Parameters
 /// ----------
 /// table
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// samples : int, optional
 ///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// threads : int, optional
-///     Without it one for each processor. The bits do not depend on it.
+///     By default one for each processor. The results do not depend on it, bit for bit.
 ///
 /// Returns
 /// -------
@@ -230,9 +230,9 @@ pub(crate) fn reconstruct_table(
 /// Raises
 /// ------
 /// CaseError
-///     Where the template is wrong.
+///     If the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -260,11 +260,11 @@ pub(crate) fn impact_table(
 /// Parameters
 /// ----------
 /// table
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// threads : int, optional
-///     Without it one for each processor. The bits do not depend on it.
+///     By default one for each processor. The results do not depend on it, bit for bit.
 ///
 /// Returns
 /// -------
@@ -275,9 +275,9 @@ pub(crate) fn impact_table(
 /// Raises
 /// ------
 /// CaseError
-///     Where the template is wrong.
+///     If the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -303,17 +303,17 @@ pub(crate) fn crush_table(
 /// Parameters
 /// ----------
 /// table
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// particles : int
 ///     (–) of each of 16 islands, a multiple of 128.
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// prior : {"field", "serious-injury", "flat"}, optional
-///     What is taken before the evidence, in place of what the rows say.
+///     The severity before the evidence, in place of that of the rows.
 /// threads : int, optional
-///     Without it one for each processor. The bits do not depend on it.
+///     By default one for each processor. The results do not depend on it, bit for bit.
 ///
 /// Returns
 /// -------
@@ -324,9 +324,9 @@ pub(crate) fn crush_table(
 /// Raises
 /// ------
 /// CaseError
-///     Where the template is wrong.
+///     If the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -360,11 +360,11 @@ pub(crate) fn estimate_table(
 /// Parameters
 /// ----------
 /// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
-///     What is asked of each row.
+///     What to compute for each row.
 /// table
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As of ``reconstruct_table``.
+///     As in ``reconstruct_table``.
 /// samples : int, optional
 ///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
 /// particles : int
@@ -372,9 +372,9 @@ pub(crate) fn estimate_table(
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// prior : {"field", "serious-injury", "flat"}, optional
-///     What is taken before the evidence, in place of what the rows say.
+///     The severity before the evidence, in place of that of the rows.
 /// threads : int, optional
-///     Without it one for each processor. The bits do not depend on it.
+///     By default one for each processor. The results do not depend on it, bit for bit.
 ///
 /// Returns
 /// -------
@@ -384,9 +384,9 @@ pub(crate) fn estimate_table(
 /// Raises
 /// ------
 /// CaseError
-///     Where the template is wrong.
+///     If the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -455,7 +455,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 /// Parameters
 /// ----------
 /// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
-///     What is asked of each row.
+///     What to compute for each row.
 /// samples : int, optional
 ///     (–) as of the table; with it there are columns of intervals.
 ///
@@ -467,7 +467,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 /// Raises
 /// ------
 /// ValueError
-///     For a job that there is not.
+///     If there is no such job.
 ///
 /// Examples
 /// --------

@@ -152,7 +152,7 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
         Answer::Estimate(answer) => {
             if !answer.estimated.doubts().is_empty() {
                 let problem =
-                    "the run has not converged: print(result) says why, and its draws are no answer";
+                    "the run has not converged: print(result) says why, and its draws are not an answer";
                 return Err(no_answer(py, problem.to_owned()));
             }
             py.detach(|| {
@@ -176,8 +176,8 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
 /// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all.
-/// A key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
-/// ``result.program.version`` and ``result.case.sha256`` say what it takes to get it again.
+/// A key that is not a name is read as from a dict: ``result.outputs["vehicle1.speed"].interval95``.
+/// ``result.program.version`` and ``result.case.sha256`` say what is needed to reproduce it.
 ///
 /// Examples
 /// --------
@@ -253,7 +253,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -262,7 +262,7 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For units that there are not.
+    ///     If there are no such units.
     ///
     /// Examples
     /// --------
@@ -280,7 +280,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -289,9 +289,9 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For units that there are not.
+    ///     If there are no such units.
     /// CaseError
-    ///     Where the site plan that the case names cannot be read.
+    ///     If the site plan that the case names cannot be read.
     ///
     /// Examples
     /// --------
@@ -308,7 +308,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -317,9 +317,9 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For units that there are not.
+    ///     If there are no such units.
     /// CaseError
-    ///     Where the site plan that the case names cannot be read.
+    ///     If the site plan that the case names cannot be read.
     ///
     /// Examples
     /// --------
@@ -486,9 +486,9 @@ impl PyAnalysis {
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
     ///     What to draw; without it what shows most.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     /// plain : bool
-    ///     Scene and motion for readers who are no engineers.
+    ///     Scene and motion for readers who are not engineers.
     ///
     /// Returns
     /// -------
@@ -497,9 +497,9 @@ impl PyAnalysis {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a drawing that there is not.
+    ///     If there is no such drawing.
     /// NoAnswerError
-    ///     Where the analysis has nothing of what is to be drawn.
+    ///     If the analysis has nothing to show in this drawing.
     ///
     /// Examples
     /// --------
@@ -516,7 +516,7 @@ impl PyAnalysis {
         let solved = &slf.as_super().get().solved;
         let in_units = solved.in_units(units)?;
         let Answer::Analysis(answer) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no analysis"));
+            return Err(PyRuntimeError::new_err("the result is not an analysis"));
         };
         let first = || Ok(answer.first_subject().unwrap_or(Subject::Damage));
         let subject = what.map_or_else(first, Given::subject)?;
@@ -586,14 +586,14 @@ impl PyUncertainty {
         slf.as_super().get().columns(slf.py())
     }
 
-    /// Draws how often the values of an output are.
+    /// Draws the histogram of an output.
     ///
     /// Parameters
     /// ----------
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -602,9 +602,9 @@ impl PyUncertainty {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an output that there is not.
+    ///     If there is no such output.
     /// NoAnswerError
-    ///     Where the output does not vary.
+    ///     If the output does not vary.
     ///
     /// Examples
     /// --------
@@ -622,7 +622,7 @@ impl PyUncertainty {
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -631,9 +631,9 @@ impl PyUncertainty {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an output that there is not.
+    ///     If there is no such output.
     /// NoAnswerError
-    ///     Where the output does not vary.
+    ///     If the output does not vary.
     ///
     /// Examples
     /// --------
@@ -658,7 +658,7 @@ fn spread(
     let solved = &slf.as_super().get().solved;
     let in_units = solved.in_units(units)?;
     let Answer::Uncertainty(uncertainty) = solved.answer(py)? else {
-        return Err(PyRuntimeError::new_err("the result is no uncertainty"));
+        return Err(PyRuntimeError::new_err("the result is not an uncertainty"));
     };
     let keys: Vec<String> = uncertainty.outputs.iter().map(|known| known.output.path()).collect();
     let place = keys.iter().position(|key| key == output).ok_or_else(|| unknown(output, &keys))?;
@@ -706,7 +706,7 @@ impl PyEstimate {
     /// Raises
     /// ------
     /// ``NoAnswerError``
-    ///     Where the run has not converged.
+    ///     If the run has not converged.
     ///
     /// Examples
     /// --------
@@ -723,7 +723,7 @@ impl PyEstimate {
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -732,9 +732,9 @@ impl PyEstimate {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an output that there is not.
+    ///     If there is no such output.
     /// NoAnswerError
-    ///     Where there is no density to draw.
+    ///     If there is no density to draw.
     ///
     /// Examples
     /// --------
@@ -746,7 +746,7 @@ impl PyEstimate {
         let solved = &slf.as_super().get().solved;
         let in_units = solved.in_units(units)?;
         let Answer::Estimate(answer) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no estimate"));
+            return Err(PyRuntimeError::new_err("the result is not an estimate"));
         };
         let EstimateAnswer { estimated, asked } = &**answer;
         let keys: Vec<String> = estimated.outputs.iter().map(|known| known.output.path()).collect();
@@ -781,7 +781,7 @@ impl PyAvoidance {
     ///     Every run against time; the probability against the speed; both before the impact, seen from
     ///     above, and what obstacles hide.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -790,9 +790,9 @@ impl PyAvoidance {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a drawing that there is not.
+    ///     If there is no such drawing.
     /// NoAnswerError
-    ///     Where the case has nothing of what is to be drawn.
+    ///     If the case has nothing to show in this drawing.
     ///
     /// Examples
     /// --------
@@ -808,7 +808,7 @@ impl PyAvoidance {
         let picture = chosen("what", what, &AvoidPicture::WORDS)?;
         let in_units = solved.in_units(units)?;
         let Answer::Avoidance(found) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no avoidance"));
+            return Err(PyRuntimeError::new_err("the result is not an avoidance"));
         };
         let drawing = py.detach(|| picture.draw(&solved.given.file.case, found, in_units));
         let drawing = drawing.map_err(|reason| no_answer(py, reason.to_owned()))?;

@@ -99,7 +99,7 @@ pub(crate) fn as_stream<'py>(
 /// Raises
 /// ------
 /// ValueError
-///     For whoever reads it a second time.
+///     If it is read a second time.
 ///
 /// Examples
 /// --------

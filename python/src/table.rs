@@ -29,11 +29,11 @@ impl FromPyObject<'_, '_> for Table {
             let table = given.extract::<AnyRecordBatch>().and_then(AnyRecordBatch::into_reader);
             return table.map(Self).map_err(|error| {
                 let reason = error.value(given.py());
-                PyTypeError::new_err(format!("the {kind} is no table of columns ({reason}): {WANTED}"))
+                PyTypeError::new_err(format!("the {kind} is not a table of columns ({reason}): {WANTED}"))
             });
         }
         let Ok(columns) = given.cast::<PyMapping>() else {
-            return Err(PyTypeError::new_err(format!("a {kind} is no table: {WANTED}")));
+            return Err(PyTypeError::new_err(format!("a {kind} is not a table: {WANTED}")));
         };
         let batch = of_columns(&columns)?;
         let schema = batch.schema();
@@ -144,8 +144,8 @@ fn column(name: &str, values: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
         let Some(cell) = cell(&value)? else {
             let (of, row) = (value.get_type().name()?, row + 1);
             return Err(PyTypeError::new_err(format!(
-                "column \"{shown}\", row {row}: a {of} is no number, text, flag, None or list of numbers; a \
-                 pyarrow.table or a Polars frame has columns of other types"
+                "column \"{shown}\", row {row}: a {of} is not a number, text, flag, None or list of \
+                 numbers; a pyarrow.table or a Polars frame has columns of other types"
             )));
         };
         let Some(of_both) = kind.with(cell.kind()) else {

@@ -56,7 +56,7 @@ def test_mappings_tuples_and_numbers_of_numpy_are_read() -> None:
         ({"mass": None}, "vehicle1.mass", "leave the key out"),
         ({"mass": 1j}, "vehicle1.mass", "of the type complex"),
         ({"crush": {"depths": ["1 in", {1}]}}, "vehicle1.crush.depths[1]", "of the type set"),
-        ({5: "kg"}, "vehicle1", "the key 5 is no text"),
+        ({5: "kg"}, "vehicle1", "the key 5 is not a text"),
         ({"mass": 1500}, "vehicle1.mass", "bare number 1500, but needs a unit"),
         ({"mass": "1500 kgg"}, "vehicle1.mass", 'unknown unit "kgg"'),
         ({"mass": float("nan")}, "vehicle1.mass", "bare number nan"),

@@ -181,7 +181,7 @@ def test_of_three_vehicles_in_one_event_those_are_a_pair_that_name_each_other(fo
     [first] = [row for row in damages if of(row, 2, 1)]
     write(folder, "CDC", [*damages, dict(second, VEHNO="3", OBJCONT="1"), dict(first, OBJCONT="3")])
     pairs = pydeltav.ciss.pairs(folder)
-    assert len(pairs) == 11 and pairs.left_out == {"with several damages of one vehicle by the event": 2}
+    assert len(pairs) == 11 and pairs.left_out == {"with several damaged areas of one vehicle from the event": 2}
     # Who names nobody of the event is no pair, and nothing that was left out.
     changed(folder, "CDC", lambda row: row.update(OBJCONT="42"))
     assert len(pairs := pydeltav.ciss.pairs(folder)) == 0 and pairs.left_out == {}
@@ -230,7 +230,7 @@ def test_names_are_read_in_upper_and_lower_case_and_from_a_zip(simulated: pathli
     assert pydeltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip") == expected
     with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "a") as archive:
         archive.write(simulated / "GV.csv", "CISS_2018/GV.csv")
-    with pytest.raises(ValueError, match="table GV is there twice: CISS_2017/GV.csv and CISS_2018/GV.csv; give the tables of one year"):
+    with pytest.raises(ValueError, match="table GV appears twice: CISS_2017/GV.csv and CISS_2018/GV.csv; give the tables of one year"):
         pydeltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip")
 
 
@@ -350,7 +350,7 @@ def test_the_recorder_of_a_case_is_the_one_that_is_asked_for(simulated: pathlib.
     assert "recorder" not in given["vehicle1"]
     assert given["vehicle2"]["recorder"]["delta_v_longitudinal"] == f"{pair['MAXDVLONG_2']:.3f} km/h"
     none = pair | {"MAXDVLONG_2": None, "MAXDVLAT_2": None}
-    with pytest.raises(ValueError, match="recorder=2: that vehicle has no ΔV of a recorder that can be used"):
+    with pytest.raises(ValueError, match="recorder=2: that vehicle has no usable ΔV from a recorder"):
         pydeltav.ciss.case(none, recorder=2)
     with pytest.raises(ValueError, match="recorder: give 1 or 2"):
         pydeltav.ciss.case(pair, recorder=3)  # type: ignore[arg-type]

@@ -61,7 +61,7 @@ test("in the folder of the book, views, questions and fields lead to the chapter
 
 test("elsewhere, there is no link into the book, nor in a report that was saved beside it", async () => {
   const book = await open({ file: marked() });
-  const { bytes } = await fromMenu(book.page, "Save a report that can be asked");
+  const { bytes } = await fromMenu(book.page, "Save an interactive report");
   await book.context.close();
   // But for what it was handed over with, it is the page.
   const slot = /(<script type="application\/json" id="deltav-live">)[^<]*/;

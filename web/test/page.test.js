@@ -177,9 +177,9 @@ onPage("a list of the file has fields, which are added and removed one by one", 
 onPage("a number that becomes a range stays in it, and nothing is written before all of its numbers are there", async (page) => {
   const before = await caseText(page);
   const field = page.locator('[data-key="vehicle2.speed"]');
-  const [first, high] = [field.locator("input.number").first(), field.getByLabel("greatest value")];
+  const [first, high] = [field.locator("input.number").first(), field.getByLabel("highest value")];
   await field.locator("select.mode").selectOption("triangular");
-  assert.equal(await field.getByLabel("likeliest value").inputValue(), "10");
+  assert.equal(await field.getByLabel("most likely value").inputValue(), "10");
   await high.fill("15");
   assert.equal(await caseText(page), before);
   await first.fill("8");
@@ -188,7 +188,7 @@ onPage("a number that becomes a range stays in it, and nothing is written before
   const other = page.locator('[data-key="vehicle2.heading"]');
   await other.locator("select.mode").selectOption("uniform");
   assert.equal(await other.locator("input.number").first().inputValue(), "67");
-  await other.getByLabel("greatest value").fill("70");
+  await other.getByLabel("highest value").fill("70");
   assert.match(await caseText(page), /^heading\s*=\s*\{ low = "67 deg", high = "70 deg" \}/m);
   assert.equal(await page.locator(".state .error").count(), 0);
 });
@@ -263,7 +263,7 @@ onPage("what a title contains stays text", async (page) => {
   for (const tab of ["Scene", "Results", "Drawings", "Inputs", "Sensitivity", "Compare"]) await page.getByRole("tab", { name: tab, exact: true }).click();
   assert.equal(await page.evaluate(() => window.hit), undefined);
   assert.equal(await page.locator("img[src=x]").count(), 0);
-  const report = await fromMenu(page, "Save a report that can be asked");
+  const report = await fromMenu(page, "Save an interactive report");
   const file = join(tmpdir(), `deltav-forged-${process.pid}.html`);
   writeFileSync(file, report.bytes);
   const live = await open({ file });
@@ -279,7 +279,7 @@ onPage("a report that can be asked opens with its case, and its hashes hold", as
   const answer = await firstResult(page);
   // The report in it is that of the program, without the errors of the method, which take a while.
   const report = { bytes: program("rear-end.toml", fixture("rear-end.toml"), "reconstruct", "--exact", "--format", "html") };
-  const live = await fromMenu(page, "Save a report that can be asked");
+  const live = await fromMenu(page, "Save an interactive report");
   // It is the page with its slot filled, and nothing else.
   const slot = /(<script type="application\/json" id="deltav-live">)([^<]*)(<\/script>)/;
   const json = slot.exec(live.bytes.toString())[2];
@@ -690,7 +690,7 @@ onPage("a case for an estimate leads there, has its scene, its answer and its re
   // What is not there yet is not saved.
   await page.locator(".menu > summary").click();
   await page.getByRole("button", { name: "Save the report (HTML)", exact: true }).click();
-  await page.getByText("There is nothing to save of Estimate yet").waitFor();
+  await page.getByText("There is nothing to save from Estimate yet").waitFor();
   await page.getByRole("button", { name: "Start the estimate" }).click();
   assert.match(await page.locator(".headline").innerText(), /being weighed/);
   await ran(page);
@@ -879,12 +879,12 @@ onPage("the first minute: what this is, what to do first, that nothing leaves; a
 });
 
 onPage("a report that can be asked says at its top that it is one, and whether a number was changed", async (page) => {
-  const report = await fromMenu(page, "Save a report that can be asked");
+  const report = await fromMenu(page, "Save an interactive report");
   const file = join(tmpdir(), `deltav-told-${process.pid}.html`);
   writeFileSync(file, report.bytes);
   const live = await open({ file });
   const top = live.page.locator(".welcome");
-  assert.match(await top.innerText(), /report that can be asked: sae-980025\.toml, with deltav \d+\.\d+\S* It does not say who handed it over\.\s+No number has been changed/s);
+  assert.match(await top.innerText(), /interactive report: sae-980025\.toml, with deltav \d+\.\d+\S* It does not say who handed it over\.\s+No number has been changed/s);
   assert.ok((await top.boundingBox()).y < 100);
   await live.page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
   await top.getByText("has been changed since").waitFor();
@@ -896,7 +896,7 @@ onPage("a report that can be asked says at its top that it is one, and whether a
 
 onPage("a report that can be asked says at its top who handed it over, and a change does not change that", async (page) => {
   await openCase(page, "named.toml", `${fixture("sae-980025.toml")}\n[report]\nanalyst = "A. <b>Meyer</b>, Dipl.-Ing."\ndate = "27 November 2026"\n`);
-  const report = await fromMenu(page, "Save a report that can be asked");
+  const report = await fromMenu(page, "Save an interactive report");
   assert.equal(await page.locator(".state .error").count(), 0);
   const file = join(tmpdir(), `deltav-handed-${process.pid}.html`);
   writeFileSync(file, report.bytes);
@@ -919,12 +919,12 @@ onPage("a report that can be asked says at its top who handed it over, and a cha
 });
 
 onPage("who saves a report that can be asked hears that it names nobody, and where to write the name", async (page) => {
-  await fromMenu(page, "Save a report that can be asked");
+  await fromMenu(page, "Save an interactive report");
   await page.locator(".state .error").getByText("“Analyst” under “Report”").waitFor();
   // What it speaks of is there.
   await page.locator('.group[data-key="report"] > summary').click();
   await page.locator('[data-key="report.analyst"] input').fill("A. Meyer");
-  await fromMenu(page, "Save a report that can be asked");
+  await fromMenu(page, "Save an interactive report");
   assert.equal(await page.locator(".state .error").count(), 0);
 });
 
@@ -1026,7 +1026,7 @@ onPage("a case whose evidence is weighed is saved as it stands on the screen, in
   // The tables and the drawings have it, too.
   await page.getByRole("tab", { name: "Results", exact: true }).click();
   assert.ok((await page.locator(".panel:visible .document").innerText()).includes(value));
-  const live = await fromMenu(page, "Save a report that can be asked");
+  const live = await fromMenu(page, "Save an interactive report");
   const slot = /<script type="application\/json" id="deltav-live">([^<]*)<\/script>/.exec(live.bytes.toString())[1];
   assert.ok(Buffer.from(JSON.parse(slot).report_base64, "base64").equals(report.bytes));
   // What is saved names the file as it is called now.
@@ -1055,7 +1055,7 @@ onPage("what is waited for can be ended, and a change of the case ends it", asyn
 onPage("plain drawings are those of the program", async (page) => {
   const name = "sae-980025.toml";
   await page.getByRole("tab", { name: "Drawings", exact: true }).click();
-  await page.getByRole("heading", { name: "For readers who are no engineers" }).waitFor();
+  await page.getByRole("heading", { name: "For readers who are not engineers" }).waitFor();
   const plain = async () => (await saved(page, () => page.locator("h2 ~ .drawing").first().getByRole("button", { name: /^Save SVG/ }).click())).bytes.toString();
   const bare = (svg) => svg.replaceAll(/(id="|url\(#|href="#|aria-labelledby=")[^")]*/g, "$1").trim();
   assert.equal(bare(await plain()), bare(program(name, fixture(name), "draw", "--what", "scene", "--plain").toString()));
@@ -1213,7 +1213,7 @@ onPage("sliders try other numbers at the display's rate, and leave the case as i
   // The keyboard moves it by a step.
   await slider.focus();
   await page.keyboard.press("ArrowRight");
-  await page.getByText("These numbers are tried out").waitFor();
+  await page.getByText("These numbers are only tried out").waitFor();
   assert.match(await page.locator(".slider output").first().innerText(), /31 km\/h/);
   const after = [await said(), await curve()];
   assert.ok(after[0] !== before[0] && after[1] !== before[1]);
@@ -1255,7 +1255,7 @@ onPage("where the case has ranges, the probability follows the sliders when the 
   const slider = page.locator('[data-slider="avoid.limit"]');
   await slider.focus();
   await page.keyboard.press("ArrowLeft");
-  await page.getByText("These numbers are tried out").waitFor();
+  await page.getByText("These numbers are only tried out").waitFor();
   await page.waitForFunction(() => document.querySelector(".avoid .document").innerText.includes("reaction and braking of the inputs"));
   const expected = program(name, text.replace('"50 km/h"', '"49 km/h"'), "avoid").toString();
   const words = (text) => text.replaceAll(/\s+/g, " ");

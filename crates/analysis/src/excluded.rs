@@ -21,7 +21,7 @@ impl std::fmt::Display for Impossible {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let named = |piece: &Piece| format!("`{}`", key(*piece));
         match self.culprits.as_slice() {
-            [one] => write!(f, "{} excludes every collision that is possible otherwise", named(one)),
+            [one] => write!(f, "{} excludes every collision that is otherwise possible", named(one)),
             [one, two] => {
                 write!(f, "{} and {} exclude each other: either alone is possible", named(one), named(two))
             }

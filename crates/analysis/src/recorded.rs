@@ -252,7 +252,7 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         let reason = "no vehicle has a table of a recorder".to_owned();
         let advice =
             "give one in [vehicle1.recorder] or [vehicle2.recorder]: pre_crash = { file = \"edr.csv\" }, \
-                      or pre_crash = { text = \"\"\"…\"\"\" } with the table as it copies out of the report"
+                      or pre_crash = { text = \"\"\"…\"\"\" } with the table as copied from the report"
                 .to_owned();
         let fault = Fault {
             key: "vehicle1.recorder".to_owned(),

@@ -367,7 +367,8 @@ impl CaseProblem {
             }
             Self::UnknownChoice { choices, .. } => format!("write {choices}"),
             Self::NeadesBasis { .. } => "write energy_basis = \"dissipated\": he multiplies the crush energy by (W_n + W_t)/W_n and takes the product for the \
-                 whole loss W_n + W_t, which says that the crush energy is W_n; if the damage shows a part of W_t as well, write energy_basis = { \
+                 whole loss W_n + W_t, which means that the crush energy is W_n; if the damage shows a part \
+                 of W_t as well, write energy_basis = { \
                  tangential_share = 0.5 }"
                 .to_owned(),
             Self::Both { first, second, .. } => format!("keep only one of the two: {first} or {second}"),
@@ -437,7 +438,8 @@ impl CaseProblem {
                 "write the value alone if it is known exactly".to_owned()
             }
             Self::NotRising { .. } => "swap the two; for angles on both sides of 180 deg, count past 180, for example from 175 deg to 185 deg".to_owned(),
-            Self::ModeOutside { .. } => "mode is the likeliest value of a triangular distribution; it may equal low or high".to_owned(),
+            Self::ModeOutside { .. } => "mode is the most likely value of a triangular distribution; it may \
+                                         equal low or high".to_owned(),
             Self::WithinOfZero { .. } => "give the standard deviation instead, as sd = …".to_owned(),
             Self::PercentAsSd { text, .. } => format!(
                 "replace sd with within = \"{text}\" and confidence, the probability that the value lies within that percentage: \

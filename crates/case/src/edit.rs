@@ -42,7 +42,10 @@ pub enum EditError {
         key: String,
     },
     /// The value is not a TOML value such as `"10 mph"`, `0.3` or `{ x = "1 m", y = "2 m" }`.
-    #[error("{} is no value of TOML: write a number with its unit in quotation marks", inputs::shown(value))]
+    #[error(
+        "{} is not a value of TOML: write a number with its unit in quotation marks",
+        inputs::shown(value)
+    )]
     NotAValue {
         /// The given value.
         value: String,

@@ -185,7 +185,7 @@ impl CaseFile {
                         }
                         let explains = program
                             .explains_two_speeds
-                            .map(|explains| format!("; {explains} tells more"))
+                            .map(|explains| format!("; {explains} says more"))
                             .unwrap_or_default();
                         format!(
                             "{advice}; if neither speed is known, {estimate} finds both from all evidence{explains}"

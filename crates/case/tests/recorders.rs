@@ -179,7 +179,11 @@ fn a_record_shows_where_its_force_came_from() {
 #[test]
 fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
     for (lines, place, words) in [
-        ("speed = \"50 km/h\"\nrecords = [{ speed = \"40 km/h\" }]", "case.toml:2:9", "is of one record"),
+        (
+            "speed = \"50 km/h\"\nrecords = [{ speed = \"40 km/h\" }]",
+            "case.toml:2:9",
+            "belongs to one record",
+        ),
         ("records = []", "case.toml:2:11", "an empty list"),
         (
             "records = [{ }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",

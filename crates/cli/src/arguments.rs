@@ -49,8 +49,8 @@ pub(crate) enum Command {
     #[command(
         before_help = "Each row is a case, read and solved as a case file is, with the same results to \
             the last bit. The template, a case file or a part of one, holds what all rows share; a row \
-            replaces or completes it. A row that is wrong, or has no answer, has a sentence in the column \
-            \"error\", and the others are not affected. A column is named after the key and the unit: \
+            replaces or completes it. A row that is wrong, or has no answer, gets a message in the column \
+            \"error\"; the others are not affected. A column is named after the key and the unit: \
             \"vehicle1.mass [kg]\".",
         after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
             deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
@@ -63,8 +63,7 @@ pub(crate) enum Command {
     /// Draw the scene, motion, damage or an estimate (SVG, PNG, PDF)
     #[command(
         before_help = "A case with [reconstruct] is reconstructed first; one with both speeds is computed \
-            forward. Scene, motion and damage are to scale. Standard error says how many warnings the \
-            case has.",
+            forward. Scene, motion and damage are to scale. The number of warnings goes to standard error.",
         after_help = format!("What to draw:\n{}\n\n\
             Examples:\n  deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
             deltav draw fixtures/estimate.toml --what estimate -o estimate.svg\n  \
@@ -148,7 +147,7 @@ pub(crate) enum Question {
     #[command(
         before_help = "The program varies the speed that `find` of [reconstruct] names until the impact \
             dissipates the crush energy of both vehicles. If there is no damage, momentum and the motion \
-            after the impact give the speed, as they give both if `find` names both. If the case has more \
+            after the impact give the speed, or both speeds if `find` names both. If the case has more \
             evidence than that, or its checks refute the answer, all the evidence is weighed as in `deltav \
             estimate` and leads the report, above the exact solutions.\n\n\
             Several files give one row each. A file without an answer has the error in its row.",
@@ -221,14 +220,15 @@ pub(crate) enum Question {
             More: `deltav explain impact law`, `deltav explain two unknown speeds`, `deltav explain rows`."
     )]
     Compare(CasesArguments),
-    /// Show what the event data recorders say alone
+    /// Show what the event data recorders give on their own
     #[command(
-        before_help = "Reads the table of a recorder from the case, from a CSV beside it, or as it copies out \
-            of a printed report (`pre_crash` and `pulse` of [vehicle1.recorder]). Prints what each heading was \
+        before_help = "Reads the table of a recorder from the case, from a CSV beside it, or as copied from \
+                       a printed report (`pre_crash` and `pulse` of [vehicle1.recorder]). Prints what each \
+                       heading was \
             taken for, and each cell without a value with its place; the distance between the samples, with \
             bounds that always hold; the speed at impact with its interval and what its error comes from; \
             where the pulse begins and ends, its ΔV, and whether the record ends before the impact does. \
-            Of several records (`records`) it says which is of this impact. HTML has the curves.",
+            If there are several records (`records`), it says which is of this impact. HTML adds the curves.",
         after_help = "Examples:\n  deltav new --template recorder -o case.toml\n  \
             deltav recorder fixtures/recorder.toml\n  \
             deltav recorder fixtures/recorder.toml --format html -o recorder.html\n  \
@@ -240,7 +240,8 @@ pub(crate) enum Question {
     /// Show how sensitive the answer is to each input
     #[command(
         before_help = "For a case with [reconstruct], prints the exact derivatives of the speed found and \
-            of both ΔV by each number of the file, the most influential first. For any case with known \
+                       of both ΔV with respect to each number of the file, the most influential first. For \
+                       any case with known \
             damage and directions of force, also sweeps the PDOF: CRASH3's answer with the lines of \
             action turned to both sides.",
         after_help = "Examples:\n  deltav sensitivity fixtures/sae-980025.toml\n  \
@@ -252,8 +253,8 @@ pub(crate) enum Question {
     #[command(
         before_help = "Any number of a case can be a range, such as restitution = { low = 0.2, high = 0.4 \
             }. Each sample draws all ranges and solves the case as `deltav reconstruct` does or, without \
-            [reconstruct], `deltav impact`. The report has intervals of each result with their standard \
-            errors, what was taken as exact, and which input matters.\n\n\
+            [reconstruct], `deltav impact`. The report gives intervals of each result with their standard \
+            errors, what was taken as exact, and which inputs matter.\n\n\
             Several files give one row each. Ctrl-C ends the sampling, prints the results so far and \
             exits with status 1.",
         after_help = "Examples:\n  deltav uncertainty fixtures/sae-980025-uncertain.toml\n  \
@@ -266,7 +267,7 @@ pub(crate) enum Question {
     /// Estimate the speeds from all evidence, with intervals
     #[command(
         before_help = "Speeds that the case does not give, or that [reconstruct] seeks, are unknown. The \
-            program draws collisions that might have been, and weighs each by how well it agrees with all \
+            program draws possible collisions, and weighs each by how well it agrees with all \
             evidence at once (Bayes): crush of one vehicle or both, PDOF, skid marks, the motion after the \
             impact, rest positions and points, recorders, and speeds that are certain. Each speed, ΔV and \
             other result then has a median and an interval that holds 95 % of the draws. A warning names \
@@ -281,14 +282,16 @@ pub(crate) enum Question {
             p-value`."
     )]
     Estimate(EstimateArguments),
-    /// Ask whether the collision was avoidable: at the limit, in time
+    /// Show whether the collision was avoidable: at the limit, in time
     #[command(
-        before_help = "What the driver of one vehicle did from the reaction demand on, where the danger \
-            could first be recognized, and what a lower speed, a timely reaction and full braking would \
-            have made of it: whether the vehicle stops before the place of the impact (in space), or comes \
-            when the other party has left it (in time), the speeds that just avoid it, and what is left of \
-            the limit. Ranges and evidence of the speed give the probability. The case has a table \
-            [avoid], and may consist of it alone. No reaction time and no deceleration is assumed.",
+        before_help = "Shows what the driver of one vehicle did from the reaction demand on, that is, from \
+                       where the danger could first be recognized, and what a lower speed, a timely \
+                       reaction and full braking would have changed: whether the vehicle stops before the \
+                       place of the impact (in space), or arrives after the other party has left it (in \
+                       time), the speeds that just avoid the collision, and the speed that is left at the \
+                       impact when driving at the limit. With ranges, or with evidence of the speed, it \
+                       gives the probability. The case needs a table [avoid], and may consist of it alone. \
+                       No reaction time and no deceleration is assumed.",
         after_help = "Examples:\n  deltav new --template avoid -o case.toml\n  \
             deltav avoid case.toml\n  \
             deltav avoid case.toml --format html -o report.html\n  \
@@ -527,7 +530,7 @@ fn drawings() -> Vec<Word<What>> {
         let meaning = match picture {
             AvoidPicture::PathTime => "Distance against time before the impact, of `deltav avoid`",
             AvoidPicture::Chance => "Probability that the collision is avoided, against the speed",
-            AvoidPicture::Sight => "Both before the impact and what obstacles hide, seen from above",
+            AvoidPicture::Sight => "Both parties before the impact and what obstacles hide, seen from above",
         };
         (name, meaning, What::Avoid(picture))
     });
@@ -623,7 +626,7 @@ impl TypedValueParser for TopicParser {
 
 #[derive(Debug, Args)]
 pub(crate) struct CasesArguments {
-    /// Case file (TOML), or - for standard input; for rows several, or a folder of them
+    /// Case file (TOML), or - for standard input; for rows, several files or a folder of them
     #[arg(value_name = "CASE", required = true)]
     pub(crate) cases: Vec<PathBuf>,
 
@@ -734,7 +737,7 @@ pub(crate) struct CompletionsArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManArguments {
-    /// Write the pages of the program and of each command into DIR, made if needed
+    /// Write the pages of the program and of each command into DIR, created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) output_dir: Option<PathBuf>,
 }
@@ -752,7 +755,7 @@ pub(crate) struct DrawArguments {
     #[arg(long, value_parser = one_of(UNITS), hide_possible_values = true)]
     pub(crate) units: Option<Units>,
 
-    /// Draw scene or motion for laymen, without symbols and axes
+    /// Draw scene or motion for lay readers, without symbols and axes
     #[arg(long)]
     pub(crate) plain: bool,
 
@@ -853,7 +856,7 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
-    /// Also write histograms and tornados into DIR, made if needed
+    /// Also write histograms and tornados into DIR, created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 
@@ -1041,7 +1044,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_name = "PATH")]
     pub(crate) field: Vec<PathBuf>,
 
-    /// Of NHTSA's tables, judge vehicles that struck a fixed object
+    /// In NHTSA's tables, judge vehicles that struck a fixed object
     #[arg(long, requires = "field", conflicts_with_all = ["other", "judge"])]
     pub(crate) objects: bool,
 
@@ -1070,7 +1073,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), requires = "real crashes")]
     pub(crate) threads: Option<u16>,
 
-    /// Also write the plots into DIR, made if needed
+    /// Also write the plots into DIR, created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 

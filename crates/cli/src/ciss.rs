@@ -113,7 +113,7 @@ fn is_zip(path: &Path) -> Result<bool> {
     let is_zip = ZIP.contains(&first.as_slice());
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) && !is_zip {
         bail!(
-            "{} is called a ZIP file, but is none: the download may have failed; download it again",
+            "{} is named as a ZIP file, but is not one: the download may have failed; download it again",
             named(path)
         );
     }
@@ -227,7 +227,8 @@ impl CissFiles for Year<'_> {
         if content.len() > most {
             let name = self.source.names.get(place).map(String::as_str).unwrap_or_default();
             bail!(
-                "{}: more than is read, {} MB of a table and {} MB of all tables; give fewer years at once, or \
+                "{}: too large, as at most {} MB of a table and {} MB of all tables are read; give fewer \
+                 years at once, or \
                  another download",
                 case::shown(name),
                 LARGEST_TABLE >> 20,

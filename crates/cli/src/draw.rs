@@ -104,13 +104,14 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
     let EstimateAnswer { estimated, asked } = found(answer, file, units)?;
     match estimated.no_answer() {
         Some(NoEstimate::Unconverged) => {
-            let message = "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
+            let message =
+                "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
             return Err(NoAnswer(message.to_owned()).into());
         }
         Some(NoEstimate::Contradicted(keys)) => writeln!(
             io::stderr(),
-            "no collision reproduces all of the evidence, and even the nearest miss {}: the picture shows them, and \
-             is no answer; `deltav estimate` says more",
+            "no collision reproduces all of the evidence, and even the nearest miss {}: the picture shows \
+             these collisions, and is not an answer; `deltav estimate` says more",
             keys.join(", ")
         )
         .context("cannot write to standard error")?,

@@ -34,7 +34,7 @@ pub(crate) fn read_at_most(most: usize, source: impl io::Read) -> io::Result<Vec
 /// A file with a part of a case, as text.
 pub(crate) fn read_text(path: &Path) -> Result<(String, String)> {
     let (name, bytes) = read(path)?;
-    let text = String::from_utf8(bytes).with_context(|| format!("{} is no text in UTF-8", named(path)))?;
+    let text = String::from_utf8(bytes).with_context(|| format!("{} is not UTF-8 text", named(path)))?;
     Ok((name, text))
 }
 

@@ -82,9 +82,7 @@ fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
     let named_so = outputs.iter().map(|output| (output.option, output.path));
     let folders = folder.iter().map(|folder| (folder.option, folder.path));
     if let Some((option, _)) = named_so.chain(folders).find(|(_, path)| *path == Path::new("-")) {
-        bail!(
-            "{option} - : standard output is for the report; give a name, or ./- for one that is called so"
-        );
+        bail!("{option} - : standard output is for the report; give a name, or ./- for a file called -");
     }
     for output in &outputs {
         let Output { option, path, .. } = output;

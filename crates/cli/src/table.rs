@@ -197,7 +197,7 @@ impl Input {
         if is_parquet {
             Self::parquet(file, keep, options, job).with_context(cannot)
         } else if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet")) {
-            bail!("{} is no Parquet file: it does not begin with PAR1", named(path))
+            bail!("{} is not a Parquet file: it does not begin with PAR1", named(path))
         } else {
             // A first look counts the lines and tells wrong ones, which costs little beside the rest.
             let lines = look_through(&name, &file, cannot)?;
@@ -294,7 +294,7 @@ impl<R: Read> Opened<R> {
             SEPARATORS.iter().skip(1).find(|(byte, _)| *byte == separator).map(|(_, called)| *called);
         let source = BufReader::new(Cursor::new(first).chain(source));
         let mut reader = csv::ReaderBuilder::new().delimiter(separator).flexible(true).from_reader(source);
-        let header = reader.headers().context("its header is no text in UTF-8: save it as CSV in UTF-8")?;
+        let header = reader.headers().context("its header is not UTF-8 text: save it as CSV in UTF-8")?;
         let names: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
         if names.iter().all(|name| name.trim().is_empty()) {
             bail!("it has no header: its first line names the columns");
@@ -315,7 +315,7 @@ fn first_line(source: &mut dyn Read) -> Result<Vec<u8>> {
     while line.last() != Some(&b'\n') && source.read(&mut byte)? == 1 {
         line.push(byte[0]);
         if line.len() as u64 >= LONGEST {
-            bail!("its first line is longer than {LONGEST} bytes, so it is no table");
+            bail!("its first line is longer than {LONGEST} bytes, so it is not a table");
         }
     }
     Ok(line)
@@ -366,7 +366,7 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
     }
     let (_, field) = record.iter().zip(fields).find(|(cell, _)| std::str::from_utf8(cell).is_err())?;
     Some(format!(
-        "{name}:{line}: the column \"{}\" is no text in UTF-8: save the table in that encoding",
+        "{name}:{line}: the column \"{}\" is not UTF-8 text: save the table in that encoding",
         case::shown(field.name())
     ))
 }

@@ -47,7 +47,7 @@ fn table(path: &Path, name: &str) -> Result<String> {
         anyhow::bail!("{name} is larger than {} MB: split it", LARGEST_TABLE >> 20);
     }
     String::from_utf8(bytes)
-        .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))
+        .with_context(|| format!("{name} is not UTF-8 text: save the table as CSV, encoded in UTF-8"))
 }
 
 /// Particles of an island for a speed: few crashes have two recorders, so they can be more.

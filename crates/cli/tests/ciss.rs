@@ -206,7 +206,7 @@ fn what_is_wrong_with_a_download_is_named() {
         (&["--field", "damaged.zip"], "damaged.zip: cannot read ../CISS/crash.csv: Invalid checksum"),
         (
             &["--field", "page.zip"],
-            "page.zip is called a ZIP file, but is none: the download may have failed",
+            "page.zip is named as a ZIP file, but is not one: the download may have failed",
         ),
         (&["--field", "nowhere.zip"], "cannot read nowhere.zip: "),
         (

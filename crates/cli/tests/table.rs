@@ -199,7 +199,7 @@ fn a_wrong_row_costs_that_row_alone() {
             2,
             "wrong.csv:4: the row has 4 fields, and the header has 3: \"c\" stands beyond the last column, \"note\"",
         ),
-        (3, "wrong.csv:5: the column \"note\" is no text in UTF-8"),
+        (3, "wrong.csv:5: the column \"note\" is not UTF-8 text"),
     ] {
         assert!(errors[row].contains(says), "{}", errors[row]);
         assert!(messages.contains(says), "{messages}");

@@ -106,7 +106,7 @@ pub enum SamplerDoubt {
     },
     /// The islands give different evidence.
     #[error(
-        "the log evidence differs between the islands by {sd:.2}, but may only by {EVIDENCE_LIMIT}; take more \
+        "the log evidence differs between the islands by {sd:.2}, but may differ only by {EVIDENCE_LIMIT}; take more \
          particles"
     )]
     EvidenceSpread {
@@ -136,7 +136,7 @@ pub enum SamplerDoubt {
     /// The islands disagree on the extremes of a quantity.
     #[error(
         "the greatest or least hundredth of {quantity} has an effective sample size of {ess:.0}, but needs \
-         {EXTREME_ESS_LIMIT}, as where few particles have met a mode; take more particles"
+         {EXTREME_ESS_LIMIT}, as when few particles have found a mode; take more particles"
     )]
     Extremes {
         /// The quantity.
@@ -152,7 +152,7 @@ pub enum SamplerDoubt {
     )]
     FewAncestors(Mode),
     /// Many particles that no move has changed.
-    #[error("{:.0} % of the particles stood still at the end: hardly a move is accepted", 100.0 * .unmoved)]
+    #[error("{:.0} % of the particles stood still at the end: hardly any move is accepted", 100.0 * .unmoved)]
     StoodStill {
         /// (–) fraction of the particles.
         unmoved: f64,

@@ -20,7 +20,7 @@ pub enum FieldError {
         column: String,
     },
     /// A column is there twice.
-    #[error("the column {column} is there twice: rename or delete the one that is not meant")]
+    #[error("the column {column} appears twice: rename or delete the one that is not meant")]
     ColumnTwice {
         /// Its name.
         column: String,
@@ -50,7 +50,7 @@ pub enum FieldError {
         text: String,
     },
     /// A program that claims nothing where a recorder is.
-    #[error("no vehicle of the file has both a recorder that can be judged and a ΔV in {column}")]
+    #[error("no vehicle of the file has both a usable recorder and a ΔV in {column}")]
     NoClaims {
         /// The column of its ΔV.
         column: String,

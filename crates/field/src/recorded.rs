@@ -139,7 +139,9 @@ impl Cells {
         let before = before.filter(|_| gap < 1.0).map(|speed| (1.0, speed / 3.6));
         let braked = brake.map(|brake| brake > 0.0);
         let Some(last) = LastSpeed::of(speed / 3.6, gap, braked, before) else {
-            return Ok(Err(format!("the last samples of the recorder of vehicle {number} make no record")));
+            return Ok(Err(format!(
+                "the last samples of the recorder of vehicle {number} do not form a record"
+            )));
         };
         Ok(Ok(Found {
             is_measured: has_width && depths.iter().any(|depth| *depth > 0.0),

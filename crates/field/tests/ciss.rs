@@ -256,7 +256,7 @@ fn what_is_wrong_is_named_with_file_line_and_column() {
         |names: &[&str]| Files(names.iter().map(|name| ((*name).to_owned(), String::new())).collect());
     let message = refusal(named(&["a/CRASH.csv", "b/crash.CSV"]));
     assert!(
-        message.starts_with("the table CRASH is there twice: a/CRASH.csv and b/crash.CSV; give"),
+        message.starts_with("the table CRASH appears twice: a/CRASH.csv and b/crash.CSV; give"),
         "{message}"
     );
     assert!(refusal(named(&["accident.sas7bdat", "ve.sas7bdat"])).contains("NASS-CDS (ACCIDENT, VE)"));

@@ -63,7 +63,7 @@ fn what_cannot_be_read_is_named() {
         assert!(error.starts_with(&format!("line {at}, column CURBWT_1")), "{error}");
     }
     let error = read(&format!("{HEADER},C1_1\n{LINE},99\n")).unwrap_err().to_string();
-    assert!(error.starts_with("the column C1_1 is there twice"), "{error}");
+    assert!(error.starts_with("the column C1_1 appears twice"), "{error}");
     let error = read(&format!("{HEADER}\n")).unwrap_err().to_string();
     assert!(error.starts_with("the file has no pair of vehicles"), "{error}");
     let error = read("CASEID,CURBWT_1\n1,2\n").unwrap_err().to_string();

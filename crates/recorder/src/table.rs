@@ -301,7 +301,7 @@ pub enum TextRefusal {
         place: TextPlace,
     },
     /// Times without a quantity.
-    #[error("{place}: no quantity beside the times was recognised{found}; known are {known}")]
+    #[error("{place}: no quantity other than the times was recognised{found}; known are {known}")]
     NoQuantity {
         /// Of the heading of the times.
         place: TextPlace,
@@ -334,7 +334,7 @@ pub enum TextRefusal {
     },
     /// A list of values without a unit, or with an unknown one.
     #[error(
-        "{place}: these values have no unit that is known for a {channel}: write one of {units} behind the last"
+        "{place}: these values have no unit that is known for a {channel}: write one of {units} after the last"
     )]
     UnitOfList {
         /// Of the list.
@@ -376,7 +376,7 @@ pub enum TextRefusal {
     },
     /// A column by which no rows are chosen.
     #[error(
-        "rows are not chosen by {name}; write one of {known} with its value, such as \"VEHNO 1, EDREVENTNO 2\""
+        "rows cannot be chosen by {name}; write one of {known} with its value, such as \"VEHNO 1, EDREVENTNO 2\""
     )]
     NoColumn {
         /// What was written.

@@ -23,7 +23,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
         let size = if is_warned {
             "Friction alone cannot do that: see the warning sliding-driven."
         } else {
-            "Coefficients fitted to staged collisions leave as much (deltav explain sliding-driven)."
+            "Coefficients that were fitted to staged collisions can add as much (deltav explain sliding-driven)."
         };
         notes.push(format!(
             "W_t is negative: the tangential impulse acts along the mean sliding velocity instead of \

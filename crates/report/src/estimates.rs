@@ -203,12 +203,12 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let times = significant(error.factor(), 3);
         let (energies, usual_error) = match method {
             EnergyMethod::Class => {
-                ("Energies from class stiffness", "Their error is that of crashes with recorders.")
+                ("Energies from class stiffness", "Their error is that found in crashes with recorders.")
             }
             EnergyMethod::Coefficients => (
                 "Energies from the stiffness that the case gives",
-                "Their error is the part found in real crashes that is not due to the stiffness and, where \
-                 the case gives no range of it, that of the stiffness (RICSAC).",
+                "Their error is the part of the error in real crashes that is not due to the stiffness and, \
+                 if the case gives no range for the stiffness, the error of the stiffness (RICSAC).",
             ),
             EnergyMethod::Test => (
                 "Energies from a barrier test of the car",
@@ -216,7 +216,8 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             ),
             EnergyMethod::Ees => (
                 "Energies from an EES",
-                "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle.",
+                "Their error is chosen: 10 % of the speed for the method and, if the EES has no range, \
+                 another 10 % for each vehicle.",
             ),
             EnergyMethod::OfObject => {
                 words.push(object_words(estimated, id));
@@ -303,7 +304,7 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::NoDirection => [
             "no_direction",
-            "a vehicle that stood after the impact left in no direction",
+            "a vehicle that was stationary after the impact left in no direction",
             "a speed above zero, or leave it out",
         ],
         UnusedReason::OneWreck => [
@@ -329,11 +330,12 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         UnusedReason::OtherImpact => [
             "other_impact",
             "it is not likely to be of this impact, or less likely than another record",
-            "this record alone, without `records`, if it is: `deltav recorder` weighs them",
+            "this record alone, without `records`, if it is of this impact: `deltav recorder` weighs them",
         ],
         UnusedReason::StoodByRecord => [
             "stood_by_record",
-            "by it the vehicle stood or crawled, and the error of such a speed is no share of it",
+            "according to it the vehicle was stationary or crawling, and the error of such a speed is not \
+             proportional to it",
             "speed = \"0 km/h\" in the table of the vehicle",
         ],
         UnusedReason::OtherPdof => [
@@ -343,7 +345,7 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::Wreck => [
             "wreck",
-            "each vehicle is followed to its rest alone, and this one hung on the other",
+            "each vehicle is followed to its rest as if it moved alone, but this one was joined to the other",
             "`speed` and `direction` of the wreck in its table `after`: v = √(2 a S), with the length S of its path \
              and the mean deceleration a of both together",
         ],
@@ -418,7 +420,7 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
             format!("of {drawn} collisions drawn before the evidence, only {possible} are possible at all")
         }
         SamplerDoubt::EvidenceSpread { .. } => {
-            "independent runs differ in how well the evidence fits, so that few of them dominate the answer"
+            "independent runs differ in how well the evidence fits, so that a few of them dominate the answer"
                 .to_owned()
         }
         SamplerDoubt::Disagreement { r_hat, .. } => {
@@ -428,11 +430,11 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
             )
         }
         SamplerDoubt::FewDraws { ess, .. } => format!(
-            "the draws of `{key}` are worth only {ess:.0} independent ones, and {} are needed",
+            "the draws of `{key}` are worth only {ess:.0} independent ones, but {} are needed",
             ::estimate::ESS_LIMIT
         ),
         SamplerDoubt::Extremes { ess, .. } => format!(
-            "the extremes of `{key}` are worth only {ess:.0} independent draws, and {} are needed",
+            "the extremes of `{key}` are worth only {ess:.0} independent draws, but {} are needed",
             ::estimate::EXTREME_ESS_LIMIT
         ),
         SamplerDoubt::FewAncestors(mode) => format!(

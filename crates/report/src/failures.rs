@@ -73,11 +73,11 @@ fn excluded(impossible: &Impossible) -> String {
         [_, _] => "check both, and give the one that is less certain a larger error or leave it out",
         _ if impossible.together => "check the units and signs of each, and give larger errors",
         _ if impossible.exclusion.possible > 0 => {
-            "state what is certain less narrowly, and check the headings, contact points and crush plane"
+            "widen the limits that are stated as certain, and check the headings, contact points and crush plane"
         }
         _ => {
             "check the headings, the contact points and the crush plane, which is the angle of its normal; a vehicle that \
-             backed into the other has a speed below zero, which is sought only where the case says so: certain_speed = \
+             backed into the other has a speed below zero, which is sought only if the case allows it: certain_speed = \
              { at_least = \"-30 km/h\", at_most = \"0 km/h\" }"
         }
     };
@@ -111,7 +111,7 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
         ReconcileError::NoCrushEnergy { energy } => format!(
             "the crush energy is {}, but must be greater than zero, because without crush no speed follows \
              from the impact; check the depths and the stiffness of both vehicles. If neither was damaged, \
-             momentum gives the speed: say in [vehicle1.after] and [vehicle2.after] how they left the impact",
+             momentum gives the speed: describe in [vehicle1.after] and [vehicle2.after] how they left the impact",
             units.format(Measure::Energy, *energy)
         ),
         ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
@@ -157,8 +157,8 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
     match refusal {
         MomentumError::NoCrushEnergy { energy } => format!(
             "the crush energy is {}, but must be greater than zero, because momentum alone does not give \
-             both speeds where the headings lie within {}° of one line; give the damage of the vehicles, or, \
-             where one stood or its speed is known, that speed, and find = \"vehicle1.speed\" or \
+             both speeds where the headings lie within {}° of one line; give the damage of the vehicles, \
+             or, if one was stationary or its speed is known, that speed, and find = \"vehicle1.speed\" or \
              \"vehicle2.speed\"",
             units.format(Measure::Energy, *energy),
             number(COLLINEAR.to_degrees(), 0)
@@ -182,14 +182,15 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
             units.format(Measure::Energy, *residual)
         ),
         MomentumError::TooFast { vehicle, speed } => format!(
-            "momentum gives vehicle {vehicle} a speed of {}, and no vehicle is faster than {}; check the masses and the \
+            "momentum gives vehicle {vehicle} a speed of {}, but no vehicle is faster than {}; check the masses and the \
              motion after the impact, and their units",
             units.speed(*speed),
             fastest(units)
         ),
         MomentumError::LeavesWall { vehicle, speed } => format!(
-            "to leave the fixed object like this, vehicle {vehicle} would have come at {} along its heading, which does not lead into \
-             it; check the direction after the impact, the heading and the crush plane",
+            "to leave the fixed object like this, vehicle {vehicle} would have come at {} along its \
+             heading, but its heading does not lead into the object; check the direction after the impact, \
+             the heading and the crush plane",
             units.speed(*speed)
         ),
         MomentumError::Impact(reason) => of_impact(reason, units),

@@ -16,7 +16,7 @@ pub(crate) fn spread(range: &Range) -> String {
     match range.spread {
         Spread::Normal { sd } => format!("sd {sd}"),
         Spread::Uniform { low, high } => format!("{low} to {high}"),
-        Spread::Triangular { low, high } => format!("likeliest of {low} to {high}"),
+        Spread::Triangular { low, high } => format!("most likely of {low} to {high}"),
         Spread::Within { percent, confidence } => {
             format!("within {percent} % ({})", significant(confidence, 2))
         }
@@ -191,7 +191,7 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
              CRASH3's size class {class}, which has the nearest radius of gyration"
         ),
         Assumption::ImpactAtOrigin => {
-            "x = 0, y = 0: the path to rest is counted from the place where the impulse acted".to_owned()
+            "x = 0, y = 0: the path to rest is measured from the place where the impulse acted".to_owned()
         }
         Assumption::LevelGround => {
             "level: no slope speeds a vehicle up or slows it down on its path to rest".to_owned()

@@ -93,7 +93,7 @@ fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> Strin
     if [along, across] == [ContactSpread::Exact; 2] {
         return "`uncertainty` takes it as exact, as the file asks".to_owned();
     }
-    format!("`uncertainty` moves it along the face {} and across it {}", by(along), by(across))
+    format!("`uncertainty` varies it along the face {} and across it {}", by(along), by(across))
 }
 
 /// Why such a restitution is impossible.
@@ -112,7 +112,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
     match check.quantity {
         CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share } => format!(
-            "{} would be {}, and the crush energy is {}",
+            "{} would be {}, but the crush energy is {}",
             match tangential_share {
                 0.0 => "the normal work".to_owned(),
                 share => basis::work_of_share(share),
@@ -134,7 +134,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
         }
         CheckedQuantity::MomentumRestitution { implied, given } => {
             let said = format!(
-                "the restitution would be {}, and the case has {}",
+                "the restitution would be {}, but the case has {}",
                 number(implied, 2),
                 number(given, 2)
             );
@@ -145,7 +145,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
             }
         }
         CheckedQuantity::MomentumRatio { implied, critical } => format!(
-            "the impulse ratio would be {}, and friction allows 0 to {}",
+            "the impulse ratio would be {}, but friction allows only 0 to {}",
             number(implied, 2),
             number(critical, 2)
         ),
@@ -155,7 +155,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
             rate(told)
         ),
         CheckedQuantity::MomentumPdof { vehicle, implied, given } => format!(
-            "the PDOF of vehicle {vehicle} would be {}, and the case has {}",
+            "the PDOF of vehicle {vehicle} would be {}, but the case has {}",
             angle(implied),
             angle(given)
         ),
@@ -230,22 +230,24 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 _ => speed(si),
             };
             format!(
-                "{} of vehicle {vehicle}, {}, contradicts this answer, which has {} and does not use it; check \
-                 both, and let `deltav estimate` weigh them",
+                "{} of vehicle {vehicle}, {}, contradicts this answer, which gives {} without using it; \
+                 check both, and let `deltav estimate` weigh them",
                 words::evident(*evidence),
                 said(*given),
                 said(*found)
             )
         }
         Warning::BelowRecord { vehicle, recorded, found } => format!(
-            "the recorder of vehicle {vehicle} had stored a ΔV of {} when its record ended, so the whole ΔV is greater, but \
-             this answer has at most {}; check the mass, the crush and the PDOF, and that the record is of this impact",
+            "the recorder of vehicle {vehicle} had stored a ΔV of {} when its record ended, so the whole ΔV \
+             is greater, but this answer gives at most {}; check the mass, the crush and the PDOF, and that \
+             the record is of this impact",
             speed(*recorded),
             speed(*found)
         ),
         Warning::CategoryEnergy { of, share } => format!(
-            "the stiffness of {} is that of a category: crush energies by such stiffness were on average {} % of what recorders \
-             show, and this answer takes them as they are, so that its closing speed and ΔV are probably too low; `deltav estimate` \
+            "the stiffness of {} is that of a category: crush energies from such a stiffness were on \
+             average {} % of what recorders show, and this answer does not correct them, so its closing \
+             speed and ΔV are probably too low; `deltav estimate` \
              corrects them",
             match of {
                 [true, true] => "both vehicles",
@@ -261,15 +263,16 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             angle(*course)
         ),
         Warning::WreckAlone { vehicle } => format!(
-            "vehicle {vehicle} is followed to its rest alone, but it left as one wreck with vehicle {}, which pulled and turned \
-             it, so that its speed after the impact may be far off; give the wreck's `speed` and `direction` in place of \
+            "vehicle {vehicle} is followed to its rest as if it moved alone, but it left as one wreck with \
+             vehicle {}, which pulled and turned it, so its speed after the impact may be far off; give the \
+             wreck's `speed` and `direction` in place of \
              `rest` and `points`: v = √(2 a S), with the length S of its path and the mean deceleration a of both together",
             vehicle.other()
         ),
         Warning::SkidOnGrade { vehicle } => format!(
-            "the skid of vehicle {vehicle} before the impact is taken on level ground: the grade of [surface] counts after the \
-             impact alone. Uphill, the vehicle lost more speed in the skid than computed; downhill, less. Give the skid a \
-             `friction` of its own that contains the grade"
+            "the skid of vehicle {vehicle} before the impact is computed as on level ground: the grade of \
+             [surface] applies only after the impact. Uphill, the vehicle lost more speed in the skid than \
+             computed; downhill, less. Give the skid a `friction` of its own that includes the grade"
         ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {
@@ -291,8 +294,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             number(100.0 * POINT_MISSED, 0)
         ),
         Warning::RestMissed { vehicle, miss, share } => format!(
-            "the path taken for vehicle {vehicle} ends {} from its rest as measured, {} % of the path, \
-             and no motion with little yaw ends nearer; its speed after the impact is as doubtful: check the \
+            "the computed path of vehicle {vehicle} ends {} from its measured rest, {} % of the path, and \
+             no motion with little yaw ends nearer; its speed after the impact is uncertain to the same \
+             degree: check the \
              rest, the heading at rest, the drag and the steer",
             units.format(Measure::Length, *miss),
             number(100.0 * share, 0)
@@ -331,8 +335,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; a vehicle that stood \
-             comes out like this if the inputs are slightly off; otherwise check the heading, the crush energy \
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; a stationary \
+             vehicle comes out like this if the inputs are slightly off; otherwise check the heading, the \
+             crush energy \
              and what was measured after the impact",
             speed(*si)
         ),
@@ -400,7 +405,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         }
         Warning::ContactApart { distance, with_scene } => format!(
             "the contact point lies in two places, {} apart: {}; check the places, the headings and the \
-             contact points: the vehicles touched in one point",
+             contact points: the vehicles touched at one point",
             units.format(Measure::Length, *distance),
             if *with_scene {
                 "where [scene] has it, and where the `position` of a vehicle and its contact point put it"
@@ -409,7 +414,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             }
         ),
         Warning::ContactPlaced { vehicle, point: [forward, aside], spread } => format!(
-            "the file gives no contact point of vehicle {vehicle}: C was placed at the centroid of its damage, \
+            "the file gives no contact point for vehicle {vehicle}: C was placed at the centroid of its damage, \
              {} forward and {} {} of the centre of gravity, from side, width, depths and offset of the \
              damage and the outline; {}",
             units.format(Measure::Length, *forward),
@@ -445,7 +450,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::RotationOpposes { vehicle, pdof, turned } => format!(
-            "the impact turned vehicle {vehicle} by {} in yaw rate, but a force with the PDOF {} through its contact point would turn it the \
+            "the impact changed the yaw rate of vehicle {vehicle} by {}, but a force with the PDOF {} \
+             through its contact point would turn it the \
              other way; check PDOF, contact point and crush plane",
             units.format(Measure::YawRate, *turned),
             angle(*pdof)
@@ -618,7 +624,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::HangsOnAngle { vehicle, path, change, speed } => format!(
             "one degree of `{path}` changes the speed of vehicle {vehicle}, {}, by {}, or {} %; give the angle with its \
-             error, as in {{ value = …, sd = \"2 deg\" }}, so that the interval shows what it does to the speed",
+             error, as in {{ value = …, sd = \"2 deg\" }}, so that the interval includes its effect on the speed",
             units.road_speed(*speed),
             units.road_speed(*change),
             number(100.0 * change / speed.abs(), 0)
@@ -632,7 +638,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             let [before, after] = speeds.map(|si| units.road_speed(si));
             format!(
                 "vehicle {vehicle} had {before} before the impact and {after} after it, so it neither stopped at the object nor \
-                 rebounded from it: the energy that such an object takes in a test does not hold for a vehicle that goes on"
+                 rebounded from it: the energy that such an object takes in a test does not apply to a \
+                 vehicle that goes on"
             )
         }
     }

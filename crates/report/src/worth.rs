@@ -44,10 +44,10 @@ pub(crate) fn worth(key: &str) -> Option<Worth> {
             ("std. dev. 0.3 of its logarithm, as damage and brakes are rarely known", STAGED_MOTION)
         }
         "after.rest.x" | "after.rest.y" => {
-            ("as good as a simulation reaches it: 10 % of the path and 0.5 m", STAGED_MOTION)
+            ("as exact as a simulation can be: 10 % of the path and 0.5 m", STAGED_MOTION)
         }
         "after.rest.heading" | "after.rest.turned" => {
-            ("as good as a simulation reaches it: 15°, where it turned by more than 60°", STAGED_MOTION)
+            ("as exact as a simulation can be: 15°, where it turned by more than 60°", STAGED_MOTION)
         }
         "after.direction" => ("std. dev. 5° to 10°", "diagrams of the RICSAC tests"),
         _ => return None,

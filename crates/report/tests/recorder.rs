@@ -18,7 +18,7 @@ fn an_axis_that_ends_early_was_stored() {
         let file = CaseFile::parse("case.toml", &text).unwrap();
         report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text()
     };
-    let (alone, ended) = ("Only longitudinal ΔV was stored", "After 30 ms one axis alone has a ΔV");
+    let (alone, ended) = ("Only longitudinal ΔV was stored", "After 30 ms only one axis has a ΔV");
     let both = ", delta_v_lateral = \"0 1 3 5 5 5 5 km/h\"";
     let early = ", delta_v_lateral = \"0 1 3 5 - - - km/h\"";
     for (lateral, is_alone, has_ended) in [("", true, false), (both, false, false), (early, false, true)] {

@@ -169,8 +169,8 @@ fn a_report_has_the_error_rate_of_its_own_answer() {
     assert!(of_both.contains(&both) && !of_both.contains(&one));
     assert!(!of_both.contains("reconstructs no speed"));
     // What the two vehicles were taken to have done.
-    for vehicle in ["Vehicle 1", "Vehicle 2"] {
-        assert!(of_both.contains(&format!("{vehicle} did not spin, by EDCRASH's rule")), "{of_both}");
+    for vehicle in ["vehicle 1", "vehicle 2"] {
+        assert!(of_both.contains(&format!("By EDCRASH's rule, {vehicle} did not spin")), "{of_both}");
     }
     let forward = page("sae-980025-impact.toml", analysis::impact);
     assert!(forward.contains("reconstructs no speed") && forward.contains(&one));

@@ -350,7 +350,7 @@ impl Answer {
             Self::Analysis(solved) => solved.no_answer(),
             Self::Estimate(answer) => Some(match answer.estimated.no_answer()? {
                 NoEstimate::Unconverged => {
-                    "the run has not converged: the report says why, and has no intervals"
+                    "the run has not converged: the report says why, and gives no intervals"
                 }
                 NoEstimate::Contradicted(_) => CONTRADICTION,
             }),

@@ -57,7 +57,7 @@ const LARGEST_PICTURE: u64 = 1 << 28;
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(io::Error::other("it is no file"));
+        return Err(io::Error::other("it is not a file"));
     }
     if metadata.len() > LARGEST_PICTURE {
         return Err(io::Error::other(format!(
@@ -93,7 +93,7 @@ pub fn site_plan_beside(
     let cannot = |error: io::Error| {
         refused(
             format!("cannot read the site plan {}: {error}", plan.file),
-            "put the picture itself beside the case file, or leave out site_plan",
+            "put the picture itself next to the case file, or leave out site_plan",
         )
     };
     let bytes = beside(case, plan.file.as_given()).and_then(|path| read_picture(&path)).map_err(cannot)?;

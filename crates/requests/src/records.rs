@@ -73,7 +73,7 @@ fn read_series<R: OfTables>(
 
 /// What to do about a file that cannot be read.
 const BESIDE: &str =
-    "put the file beside the case, or its lines into the case: text = \"\"\"…\"\"\" in place of file";
+    "put the file next to the case, or its lines into the case: text = \"\"\"…\"\"\" in place of file";
 
 const SAVE_AS_UTF_8: &str =
     "save the file as UTF-8, or put its lines into the case: text = \"\"\"…\"\"\" in place of file";

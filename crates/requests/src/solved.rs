@@ -15,7 +15,7 @@ use crate::refusal::NoPage;
 
 /// The reason why evidence that contradicts itself has no answer.
 pub(crate) const CONTRADICTION: &str =
-    "the evidence contradicts itself: the report says where, and has no one answer";
+    "the evidence contradicts itself: the report says where, and gives no single answer";
 
 /// What a reconstruction adds to its exact solution; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -99,8 +99,7 @@ impl SolvedCase {
         Some(match self.weighed.as_ref()?.estimated.no_answer()? {
             NoEstimate::Contradicted(_) => CONTRADICTION,
             NoEstimate::Unconverged => {
-                "the evidence was weighed, but the run has not converged: the report says why, and has no \
-                 interval"
+                "the evidence was weighed, but the run has not converged: the report says why, and gives no interval"
             }
         })
     }

@@ -9,7 +9,7 @@ use case::{Diagnostics, shown};
 #[non_exhaustive]
 pub enum TableError {
     /// The template is not a part of a case.
-    #[error("the template is no part of a case: {}", .0.one_line())]
+    #[error("the template is not part of a case: {}", .0.one_line())]
     Template(Box<Diagnostics>),
     /// A column looks like a key, but is not one.
     #[error("the column \"{}\" is not a key of a case: {}", shown(.column), shown(.help))]
@@ -21,8 +21,8 @@ pub enum TableError {
     },
     /// No column gives a key, so every row would be the template.
     #[error(
-        "no column of the table is a key of a case, so every row would be the template: its columns are \"{}\"; a \
-         key is called like \"vehicle2.speed [mph]\"",
+        "no column of the table is a key of a case, so every row would be the template: its columns are \
+         \"{}\"; a column is named like \"vehicle2.speed [mph]\"",
         shown(&.columns.join("\", \""))
     )]
     NoKey {

@@ -107,8 +107,8 @@ fn meant(name: &str) -> Option<String> {
     }) {
         let of = if lower.contains('.') { "." } else { "__" };
         return Some(format!(
-            "keys are written in small letters, as \"vehicle2{of}speed\", and units as the trade writes them, as \
-             in \"{}\"",
+            "keys are written in small letters, as \"vehicle2{of}speed\", and units as they are usually \
+             written, as in \"{}\"",
             if of == "." { format!("{}.mass [kg]", key.name) } else { format!("{}__mass__kg", key.name) }
         ));
     }
@@ -205,7 +205,7 @@ impl<'a> Part<'a> {
         match step {
             Step::Element(index) => match self.shape.listed() {
                 Some(shape) => self.element(*index, shape).at(rest, called),
-                None => Err(unknown(called, format!("\"{}\" is no list", self.path))),
+                None => Err(unknown(called, format!("\"{}\" is not a list", self.path))),
             },
             Step::Key(name) => {
                 if let Some(key) = self.shape.keys().find(|key| key.name == name) {
@@ -645,7 +645,7 @@ impl<'a> Plan<'a> {
                 reason = "a whole number in the range"
             )]
             Some(number) => Ok(Some(number as u64)),
-            None => Err(format!("\"{SEED}\" is no whole number from 0 to 2^53")),
+            None => Err(format!("\"{SEED}\" is not a whole number from 0 to 2^53")),
         }
     }
 }

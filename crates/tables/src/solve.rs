@@ -288,7 +288,7 @@ impl Row<'_> {
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {
-                    error: "the run has not converged, so that it has no intervals".to_owned(),
+                    error: "the run has not converged, so it gives no intervals".to_owned(),
                     help: format!("{WHY_NO_ANSWER}; more particles may help"),
                 });
                 return Ok(Outcome { found: Some(Found::of_estimate(case, &estimated)), refusal });

@@ -135,7 +135,7 @@ fn a_table_that_cannot_be_read_is_refused_in_a_sentence() {
         ("vehicle1.fixed", one(), "true or false is needed"),
         ("vehicle1.contact", text(), "a struct of its keys is needed"),
         ("surface.zone", text(), "a list of structs is needed"),
-        ("vehicle1.mass[2]", one(), "\"vehicle1.mass\" is no list"),
+        ("vehicle1.mass[2]", one(), "\"vehicle1.mass\" is not a list"),
         ("seed", Arc::new(BooleanArray::from(vec![true])), "a seed is a whole number"),
     ] {
         let sentence = refusal(vec![(name, array)]);

@@ -48,8 +48,8 @@ impl<T: Real> Slide<T> {
         check::positive("friction", self.friction.value())?;
         check::within("friction", self.friction.value(), 0.0, GREATEST_FRICTION)?;
         check::within("share of the friction that the wheels use", self.drag_share.value(), 0.0, 1.0)?;
-        check::within("grade along the way", self.grade.value(), -GREATEST_GRADE, GREATEST_GRADE)?;
-        check::at_least("length of the way", self.distance.value(), 0.0)
+        check::within("grade along the path", self.grade.value(), -GREATEST_GRADE, GREATEST_GRADE)?;
+        check::at_least("length of the path", self.distance.value(), 0.0)
     }
 
     /// (m/s²) the deceleration; negative if the speed grows downhill.
@@ -69,13 +69,13 @@ impl<T: Real> Slide<T> {
     /// If a number is impossible, such as a speed below zero, or a downhill path on which a vehicle gains
     /// more than its speed at the end.
     pub fn speed_at_start(&self, at_end: T) -> Result<T, InvalidInput> {
-        check::at_least("speed at the end of the way", at_end.value(), 0.0)?;
+        check::at_least("speed at the end of the path", at_end.value(), 0.0)?;
         // V² = v² + 2 a S; on the level and to rest V = √(2 μ g f S)
         let square = at_end * at_end + self.deceleration()? * self.distance * 2.0;
         if square.value() < 0.0 {
             return Err(InvalidInput::GainsMore { end: at_end.value() });
         }
-        check::finite("square of the speed where the way begins", square.value())?;
+        check::finite("square of the speed where the path begins", square.value())?;
         Ok(square.sqrt())
     }
 }
@@ -120,13 +120,13 @@ impl<T: Real> Spin<T> {
     pub fn start(&self) -> Result<SpinStart<T>, InvalidInput> {
         check::positive("friction", self.friction.value())?;
         check::within("friction", self.friction.value(), 0.0, GREATEST_FRICTION)?;
-        check::at_least("length of the way", self.distance.value(), 0.0)?;
+        check::at_least("length of the path", self.distance.value(), 0.0)?;
         check::angle("change of the heading", self.turn.value())?;
         check::positive("yaw radius of gyration", self.yaw_radius.value())?;
         check::positive("wheelbase", self.wheelbase.value())?;
         let (way, turn) = (self.distance * 2.0, self.turn.abs());
         let turning = self.yaw_radius * self.yaw_radius * turn * 4.0 / self.wheelbase;
-        check::positive("way and turn together", (way + turning).value())?;
+        check::positive("path and turn together", (way + turning).value())?;
         // T² = [2S + 4k²|Δψ|/(a + b)]/(μ g)
         let time = ((way + turning) / (self.friction * GRAVITY)).sqrt();
         // V_s = 2S/T, Ω_s = 2Δψ/T
@@ -151,7 +151,7 @@ pub fn spins(
 ) -> Result<bool, InvalidInput> {
     check::angle("sideslip at departure", sideslip)?;
     check::angle("change of the heading", turn)?;
-    check::at_least("length of the way", distance, 0.0)?;
+    check::at_least("length of the path", distance, 0.0)?;
     check::positive("wheelbase", wheelbase)?;
     check::within("steer angle", steer, -FRAC_PI_2, FRAC_PI_2)?;
     // A rolling vehicle turns by Δψ = S tan δ/L.

@@ -40,7 +40,7 @@ pub enum InvalidDistribution {
         high: f64,
     },
     /// A mode outside the bounds.
-    #[error("the likeliest value is {mode}, but must lie between the bounds {low} and {high}")]
+    #[error("the most likely value is {mode}, but must lie between the bounds {low} and {high}")]
     ModeOutside {
         /// (unit of the input) lower bound.
         low: f64,

@@ -43,7 +43,7 @@ pub enum ValidationError {
         what: &'static str,
     },
     /// A table names a test without printed numbers.
-    #[error("a table is over test {test}, which is not among the collisions")]
+    #[error("a table is about test {test}, which is not among the collisions")]
     NotPrinted {
         /// The test.
         test: u8,

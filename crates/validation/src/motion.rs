@@ -22,11 +22,13 @@ const DIRECTION: f64 = 5.0 * DEGREE;
 
 const FREE_WHEELS: &str = "the vehicle rolled, and the angle of its front wheels, which nobody held, and the drag of its single wheels are \
      not published: the simulation has straight wheels of equal drag";
-const STRUCK_AGAIN: &str = "vehicle 2 struck it a second time, from the side, when and where is not published, so that its rest is not that \
+const STRUCK_AGAIN: &str = "vehicle 2 struck it a second time, from the side, at a time and place that are \
+                            not published, so its rest is not that \
      of a free motion; its drag is the mean of those fitted to the other tests";
-const SENSITIVE: &str = "a spin that ends in rolling hardly tells the velocity at which it began: the speeds found for a way that is turned by \
-     5° stand beside it. The distance is that to which the drag was fitted, the direction of the way and the turn \
-     are the published ones";
+const SENSITIVE: &str = "a spin that ends in rolling hardly determines the velocity at which it began: the \
+                         speeds found for a path that is turned by 5° are given next to it. The distance is \
+                         that to which the drag was fitted, the direction of the path and the turn are the \
+                         published ones";
 
 /// A vehicle followed from its published velocity to rest.
 #[derive(Clone, Debug, PartialEq)]

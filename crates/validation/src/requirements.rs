@@ -53,7 +53,7 @@ const PRINTED: &str = "the tolerance in its table";
 const OF_CELLS: [(&str, [&str; 4]); 8] = [
     ("Table 1", ["rms", "The rms errors of ΔV are those of SAE 980025", "Table 1", PRINTED]),
     ("Table 2", ["delta-v", "ΔV by PIM and by CRASH3 are those of SAE 980025", "Table 2", PRINTED]),
-    ("Table 3", ["turned", "So they are with the direction of the force turned", "Table 3", PRINTED]),
+    ("Table 3", ["turned", "The same with the direction of the force turned", "Table 3", PRINTED]),
     (
         "SAE 871993",
         ["energies", "The energies of each impact are those of SAE 871993", "its Table 1", PRINTED],

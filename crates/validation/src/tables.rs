@@ -32,16 +32,16 @@ const KNOWN_STIFFNESS: [u8; 4] = [1, 6, 7, 12];
 
 const STIFFNESS_UNKNOWN: &str = "the paper does not state its stiffness, and none was found that gives its row from the published profile: \
      the energy from the profile and the one that the row implies stand side by side under Reconstruction";
-const SPLIT_OF_PROFILES: &str = "each vehicle's energy has a correction of its own, and the profiles share the energy between the vehicles \
-     otherwise than the paper's Table 3 shows that it did";
+const SPLIT_OF_PROFILES: &str = "each vehicle's energy has a correction of its own, and the profiles share \
+                                 the energy between the vehicles in another ratio than the paper's Table 3";
 const SPLIT_UNKNOWN: &str = "the test is not in the paper's Table 3, which would show how the energy was shared between the vehicles: it is \
      shared as the profiles share it";
 const NOT_IN_RATIO: &str =
     "the paper's two ΔV are in the ratio 1.566, the masses in 1.595, so that no energy gives both";
 const SMALL_REMAINDER: &str = "the sliding before and after the impact nearly cancels, and the remainder moves by more than this difference \
      when d_1, d_2 and μ move within the precision to which they are known";
-const TEST_9_TANGENTIAL: &str = "2.5 % off, more than the precision of d_1, d_2 and μ can explain; not resolved. The published total is the \
-     sum of its parts, and it does come out";
+const TEST_9_TANGENTIAL: &str = "2.5 % off, more than the precision of d_1, d_2 and μ can explain; not \
+                                 resolved. The published total is the sum of its parts, and is reproduced";
 
 /// A row of the paper's Table 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

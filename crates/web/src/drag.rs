@@ -17,7 +17,7 @@ const DEPTH: f64 = 0.005;
 pub(crate) fn drag(text: &str, handle: &str, to: &str) -> Value {
     made(Given::read(text, None, "").and_then(|given| {
         let handle =
-            Handle::read(handle).ok_or_else(|| Refused::message("this is no handle of the scene"))?;
+            Handle::read(handle).ok_or_else(|| Refused::message("this is not a handle of the scene"))?;
         let to = To::read(to)
             .ok_or_else(|| Refused::message("a handle is moved to { at: [x, y] } or { angle }"))?;
         let mut change = Change::of(given.file);

@@ -74,7 +74,7 @@ pub(crate) fn convert(text: &str, unit: &str) -> Value {
         Some(text) => json!({ "ok": true, "text": text }),
         None => {
             let message = format!(
-                "\"{}\" is no quantity that \"{}\" could measure",
+                "\"{}\" is not a quantity in a unit like \"{}\"",
                 case::shown(text),
                 case::shown(unit)
             );

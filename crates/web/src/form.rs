@@ -8,7 +8,7 @@ pub(crate) fn form() -> Value {
     let top = json!({
         "key": "",
         "title": "Case",
-        "help": "What heads every report.",
+        "help": "What stands at the head of every report.",
         "fields": fields(case, "", false),
         "groups": [],
     });

@@ -76,7 +76,7 @@ class CaseError(ValueError):
 
 
 class NoAnswerError(ValueError):
-    """The case is well formed, but has no answer: no collision can be like it.
+    """The case is well formed, but has no answer: no collision fits it.
 
     Examples
     --------
@@ -85,8 +85,8 @@ class NoAnswerError(ValueError):
     >>> try:
     ...     pydeltav.Case.from_dict(numbers).impact()
     ... except pydeltav.NoAnswerError:
-    ...     print("no collision is like it")
-    no collision is like it
+    ...     print("no collision fits it")
+    no collision fits it
     """
 
 

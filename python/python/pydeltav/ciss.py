@@ -1,9 +1,9 @@
 """Real crashes with a recorder: from NHTSA's tables to pairs of vehicles, and from these to ΔV with intervals.
 
 The Crash Investigation Sampling System (CISS) of the U.S. National Highway Traffic Safety Administration publishes
-a folder of tables a year, as SAS files and as CSV. ``pairs`` makes of it one table of the crashes that ``judge``
-holds against their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
-table of the same CSV files; the rules are in the engine.
+a folder of tables for each year, as SAS files and as CSV. ``pairs`` makes them into one table of crashes, which
+``judge`` compares with their recorders, and ``case`` makes one of them into a case. ``deltav validate --field``
+makes the same table of the same CSV files; the rules are in the engine.
 
 >>> pairs = pydeltav.ciss.pairs(folder)
 >>> pairs
@@ -49,9 +49,9 @@ class Pairs(Sequence[_Row]):
     Parameters
     ----------
     rows : iterable of Mapping
-        A pair each, with NHTSA's names and units: cm, kg, km/h and degrees.
+        One pair each, with NHTSA's names and units: cm, kg, km/h and degrees.
     left_out : Mapping, optional
-        Numbers of pairs that are left out, by why.
+        Numbers of pairs that are left out, by reason.
 
     Examples
     --------
@@ -97,7 +97,7 @@ class Pairs(Sequence[_Row]):
         Raises
         ------
         OSError
-            Where it cannot be written.
+            If it cannot be written.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Pairs(Sequence[_Row]):
 class Coverage(_Coverage, Record):
     """How often intervals of ΔV contain what recorders stored: the document of ``deltav validate --field``.
 
-    Its keys are attributes, in SI units: ``judged`` has a vehicle an entry, with ``recorder``, ``median`` and
+    Its keys are attributes, in SI units: ``judged`` has an entry for each vehicle, with ``recorder``, ``median`` and
     ``interval95``; ``groups`` has figures by kind of collision, ``groups["all"].coverage["95"]`` among them.
     ``judge`` makes it.
 
@@ -177,7 +177,7 @@ class Coverage(_Coverage, Record):
         Raises
         ------
         ValueError
-            For a drawing that there is not.
+            If there is no such drawing.
 
         Examples
         --------
@@ -200,10 +200,10 @@ class Coverage(_Coverage, Record):
 
 
 def pairs(source: str | os.PathLike[str]) -> Pairs:
-    """Makes pairs of vehicles of NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
+    """Makes pairs of vehicles from NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
 
     It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``), CSV first where there
-    are both; upper and lower case of names do not matter. A pair are two vehicles with damage by one event that
+    are both; upper and lower case of names do not matter. A pair is two vehicles with damage from one event that
     each name the other as what they struck (OBJCONT), in the order of crash, event and vehicle. It is kept where
     the damage of both is on front, back, left or right with all of C1 to C6, a length and a PDOF, where both have
     a curb weight, and where a recorder of one has a ΔV of this event (CDCEVENT): of several records the one with
@@ -223,7 +223,7 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
     Raises
     ------
     ValueError
-        Where a table or a column is missing; the text says what there is instead.
+        If a table or a column is missing; the message says what there is instead.
 
     Examples
     --------
@@ -249,7 +249,7 @@ def read(path: str | os.PathLike[str]) -> Pairs:
     Raises
     ------
     ValueError
-        Where it is another file.
+        If it is another file.
 
     Examples
     --------
@@ -265,8 +265,8 @@ def read(path: str | os.PathLike[str]) -> Pairs:
 def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) -> Case:
     """Makes a case of a pair, with both speeds unknown: for ``estimate()``, or to be looked at and changed.
 
-    What it says of the collision is what ``judge`` assumes of it: ``docs/calibration.md`` has the model. No
-    recorder is evidence, so that ΔV can be held against it; with ``recorder=2`` that of vehicle 2 is.
+    Its assumptions about the collision are those of ``judge``: ``docs/calibration.md`` has the model. No recorder
+    is used as evidence, so that ΔV can be compared with it; with ``recorder=2`` that of vehicle 2 is.
 
     Parameters
     ----------
@@ -282,7 +282,7 @@ def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) ->
     Raises
     ------
     ValueError
-        Where a cell of the pair is no number, or the recorder has none.
+        If a cell of the pair is not a number, or the recorder has none.
 
     Examples
     --------
@@ -320,7 +320,7 @@ def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[di
     Raises
     ------
     ValueError
-        Where a table or a column is missing, or the vehicle has no record.
+        If a table or a column is missing, or the vehicle has no record.
 
     Examples
     --------
@@ -348,11 +348,11 @@ def judge(
     seed: int = 1,
     threads: int | None = None,
 ) -> Coverage:
-    """Estimates the ΔV of each vehicle with a recorder from all but that recorder, and holds it against it.
+    """Estimates the ΔV of each vehicle with a recorder from all but that recorder, and compares the two.
 
     It is ``deltav validate --field``, with the same bits. An interval is of what the recorder is expected to
     store, with its own error; ``other=True`` gives the recorder of one vehicle and judges the other. A vehicle
-    takes some hundred milliseconds; 128 particles are those of the program.
+    takes a few hundred milliseconds; 128 particles are those of the program.
 
     Parameters
     ----------
@@ -368,7 +368,7 @@ def judge(
     seed : int
         (–) of the random numbers; the same seed gives the same bits.
     threads : int, optional
-        Without it one for each processor. The bits do not depend on it.
+        By default one for each processor. The results do not depend on it, bit for bit.
 
     Returns
     -------
@@ -378,7 +378,7 @@ def judge(
     Raises
     ------
     ValueError
-        Where a pair is wrong, or there is none.
+        If a pair is wrong, or there is none.
 
     Examples
     --------

@@ -34,7 +34,7 @@ export const texts = {
   welcome: {
     label: "What this is",
     what: "The speeds of two vehicles before their collision, from damage, marks and recorders.",
-    first: "You see an example. First choose “New case…” or “Open…”, then write your numbers.",
+    first: "This is an example. First choose “New case…” or “Open…”, then enter your numbers.",
     local: "Nothing that you enter leaves this page.",
     close: "Got it",
   },
@@ -70,7 +70,7 @@ export const texts = {
     axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
     kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
     crush: { none: "none: its damage took no energy that counts" },
-    fit: { exact: "exact: gives the energy of the test", mean: "mean: by the mean crush, some per cent too high" },
+    fit: { exact: "exact: gives the energy of the test", mean: "mean: from the mean crush, a few per cent too high" },
     oblique: {
       capped: "capped: 1 + tan²α, α at most 45° (CRASH3)",
       uncapped: "uncapped: 1 + tan²α",
@@ -82,9 +82,9 @@ export const texts = {
     tangential: { critical: "critical: sliding ends by separation" },
     find: { "vehicle1.speed": "speed of vehicle 1", "vehicle2.speed": "speed of vehicle 2" },
     energy_basis: { dissipated: "dissipated: what stays in the structure after rebound", absorbed: "absorbed: what it took at maximum engagement" },
-    prior: { field: "field: as when a vehicle is towed", "serious-injury": "serious injury: as when somebody is seriously hurt", flat: "flat: any speed alike" },
+    prior: { field: "field: as when a vehicle is towed", "serious-injury": "serious injury: as when someone is seriously hurt", flat: "flat: all speeds equally likely" },
     vehicle: { vehicle1: "vehicle 1", vehicle2: "vehicle 2" },
-    swell_form: { linear: "linear: grows evenly", half: "half: half of it throughout", "full speed": "full speed: none before it is full" },
+    swell_form: { linear: "linear: grows evenly", half: "half: half of it throughout", "full speed": "full speed: no deceleration before it is full" },
   } as Record<string, Record<string, string>>,
 
   station: (number: string) => `Depth C${number}`,
@@ -98,12 +98,12 @@ export const texts = {
     undo: "Undo (Ctrl+Z)",
     redo: "Redo (Ctrl+Y)",
     discard: "The case has changes that are not saved. Discard them?",
-    unreadable: (name: string) => `${name} is not a case file: it is not a text in UTF-8.`,
+    unreadable: (name: string) => `${name} is not a case file: it is not UTF-8 text.`,
   },
 
   templates: {
-    title: "Begin with",
-    explain: "Each of these is a complete case that has an answer. Replace its numbers by yours.",
+    title: "Start from",
+    explain: "Each of these is a complete case that has an answer. Replace its numbers with yours.",
     printed: "in lb and ft, as it was printed",
     unitsLabel: "Units of the file",
     units: [
@@ -115,7 +115,7 @@ export const texts = {
   save: {
     label: "Report",
     report: "Save the report (HTML)",
-    live: "Save a report that can be asked",
+    live: "Save an interactive report",
     print: "Print the report",
     printView: "Print what is on the screen",
     json: "Save the results as JSON",
@@ -125,12 +125,12 @@ export const texts = {
     answer: "the answer",
     whenWeighed: "All evidence is being weighed; then the file is saved.",
     completing: "The report is being made: its intervals contain the errors of the method.",
-    ended: "Nothing is saved: it was ended.",
-    notRun: (title: string) => `There is nothing to save of ${title} yet: run it for the case as it is now, to its end.`,
+    ended: "Nothing is saved: the run was ended.",
+    notRun: (title: string) => `There is nothing to save from ${title} yet: run it to its end for the case as it is now.`,
     nothing: "The case has no answer yet, so there is nothing to save.",
     noCsv: "This answer has no table as CSV.",
     noAnalyst: "The report is saved, but does not say at its top who hands it over: write your name in “Analyst” under “Report” in the form, and save it again.",
-    noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report has it.`,
+    noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report will include it.`,
   },
 
   about: {
@@ -138,8 +138,8 @@ export const texts = {
     paragraphs: [
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
-      "The engine is the one of the program of the same name, and gives the same numbers to the last bit.",
-      "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, other results than speeds and ΔV in the probability of an estimate.",
+      "The engine is that of the program of the same name, and gives the same numbers to the last bit.",
+      "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, and results other than speeds and ΔV in the probability of an estimate.",
     ],
     engine: "SHA-256 of the engine:",
     licences: "Licences of what this page contains",
@@ -156,12 +156,12 @@ export const texts = {
 
   questions: {
     reconstruct: "Which speed does the damage show?",
-    impact: "What do these speeds do?",
+    impact: "What follows from these speeds?",
     motion: "Where do the vehicles come to rest?",
-    crush: "What does the damage alone say?",
+    crush: "What does the damage alone show?",
     estimate: "Which speeds agree with all evidence?",
     avoid: "Was it avoidable?",
-    recorder: "What do the recorders say alone?",
+    recorder: "What do the recorders show alone?",
   } as Record<string, string>,
 
   answer: {
@@ -170,7 +170,7 @@ export const texts = {
     noWarnings: "No warnings",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     inResults: "This question is answered by tables.",
-    inAvoid: "The speed at the impact is sought first.",
+    inAvoid: "The speed at the impact is found first.",
     none: "No answer yet.",
     byEstimate: "An estimate answers this case: it finds the speeds from all its evidence together.",
     startEstimate: "Start the estimate",
@@ -211,7 +211,7 @@ export const texts = {
       above: "“Probability that” in the view Estimate",
       prior: "“Before the evidence” in the view Estimate",
       particles: "“Particles” in the view Estimate",
-      plain: "“For readers who are no engineers” in the view Drawings",
+      plain: "“For readers who are not engineers” in the view Drawings",
     } as Record<string, string>,
     whatItMeans: "“What it means”, in the list of warnings at the top,",
     explanation: (topic: string) => `the explanation of “${topic}”`,
@@ -243,7 +243,7 @@ export const texts = {
 
   form: {
     label: "Case as a form",
-    broken: "The file cannot be shown as a form before its error is mended. “New case…” gives a form to fill in.",
+    broken: "The file cannot be shown as a form until its error is corrected. “New case…” gives a form to fill in.",
     notPlain: (typed: string, plain: string) => [`“${typed}” is not a plain number.`, `Write ${plain}, with a decimal point and without a unit.`],
     sizeClass: (number: string, least: Length | undefined, most: Length | undefined) => {
       if (!least) return `${number}: to ${most?.metres} m (${most?.inches} in) wheelbase`;
@@ -297,9 +297,9 @@ export const texts = {
       value: "central value",
       values: "central values",
       sd: "standard deviation",
-      low: "least value",
-      mode: "likeliest value",
-      high: "greatest value",
+      low: "lowest value",
+      mode: "most likely value",
+      high: "highest value",
       within: "greatest deviation in per cent",
       confidence: "probability that it lies within",
     } as Record<string, string>,
@@ -313,8 +313,8 @@ export const texts = {
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
-    stage: "Scene: plus and minus zoom, 0 shows all of it, and the arrow keys move what is seen",
-    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back. The wheel, or + and −, zoom; drag the empty ground, or use the middle button, to move what is seen.",
+    stage: "Scene: plus and minus zoom, 0 shows all of it, and the arrow keys move the view",
+    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape undoes a drag. The wheel, or + and −, zooms; drag the empty ground, or use the middle button, to move the view.",
     body: (number: number) => `Vehicle ${number}: drag to move`,
     handle: (handle: Handle): string => {
       const of = vehicle(handle.vehicle);
@@ -345,7 +345,7 @@ export const texts = {
     label: "Measuring tape",
     button: "Tape",
     title: "Tape: measure a length and a direction in the scene",
-    hint: "Drag from point to point: near a marked point, the tape holds to it. Arrow keys move an end (Shift for larger steps, Alt for smaller), and Enter takes it to the next marked point. Escape takes the tape away. It is no part of the case.",
+    hint: "Drag from point to point: near a marked point, the tape snaps to it. Arrow keys move an end (Shift for larger steps, Alt for smaller), and Enter takes it to the next marked point. Escape removes the tape. It is not part of the case.",
     cg: (number: number) => `CG of vehicle ${number}`,
     contact: "Contact point",
     end: (which: number, mark: string | null) => `${which === 0 ? "Start" : "End"} of the tape${mark === null ? "" : `: ${mark}`}`,
@@ -374,9 +374,9 @@ export const texts = {
   },
 
   panels: {
-    problems: "The case file has an error. Mend it, and this appears again.",
+    problems: "The case file has an error. Correct it, and this appears again.",
     cannot: "The case does not have what this needs.",
-    plain: "For readers who are no engineers",
+    plain: "For readers who are not engineers",
     plainLater: "All evidence is being weighed: these drawings follow, with its speeds.",
     noDrawings: "There is nothing to draw for this case.",
     table: "Table",
@@ -403,7 +403,7 @@ export const texts = {
       start: "Run",
     },
     estimate: {
-      what: "All evidence of the case is weighed together, including what is only known roughly. It takes some seconds to minutes.",
+      what: "All evidence of the case is weighed together, including what is only known roughly. It takes seconds to minutes.",
       start: "Estimate",
     },
     samples: "Samples",
@@ -420,7 +420,7 @@ export const texts = {
       ["", "as in case"],
       ["field", "as severe as field collisions"],
       ["serious-injury", "as severe as those with a serious injury"],
-      ["flat", "any severity alike"],
+      ["flat", "all severities equally likely"],
     ],
     particles: "Particles, 16 times",
     above: "Probability that",
@@ -438,24 +438,24 @@ export const texts = {
     progress: "Progress",
     running: "Running…",
     ended: "Ended before it was done.",
-    endedWithSome: "Ended before it was done. Below is what the first 100,000 samples say.",
-    old: "This is of the case before the last change.",
+    endedWithSome: "Ended before it was done. Below are the results of the first 100,000 samples.",
+    old: "This is for the case before the last change.",
     done: (counted: string, done: number, total: number) => `${done.toLocaleString("en")} of ${total.toLocaleString("en")} ${counted}`,
     took: (milliseconds: number) => (milliseconds < 1000 ? `Took ${Math.round(milliseconds)} ms.` : `Took ${(milliseconds / 1000).toFixed(1)} s.`),
   },
 
   avoid: {
-    elsewhere: "Whether the collision was avoidable stands in the view Avoidability.",
+    elsewhere: "The view Avoidability shows whether the collision was avoidable.",
     what: "Try other numbers",
     sliders: { "avoid.limit": "At a speed of", "avoid.reaction_time": "With a reaction time of" },
     use: "Use in the case",
     back: "Back to the case",
-    moved: "These numbers are tried out. The case, and what is saved, have their own.",
+    moved: "These numbers are only tried out. The case, and what is saved, keep their own.",
   },
 
   recorder: {
     paste: "Paste a table from a report",
-    how: "Select the table in the printed report with its heading, copy it, and paste it here. How its columns break does not matter.",
+    how: "Select the table in the printed report with its heading, copy it, and paste it here. It does not matter how its columns are broken up.",
     example: "Times (sec)  Speed MPH [km/h]  Service Brake\n-1.0  36 [58]  Off\n-0.5  34 [55]  On\n0.0  30 [48]  On",
     of: "Recorder of",
     vehicles: [
@@ -479,14 +479,14 @@ export const texts = {
     paces: [
       ["0.1", "10 times slower"],
       ["0.25", "4 times slower"],
-      ["1", "as it was"],
+      ["1", "real time"],
     ],
     at: (seconds: number) => `${seconds < 0 ? "−" : "+"}${Math.abs(seconds).toFixed(2)} s`,
   },
 
   live: {
     banner: (name: string, version: string, { analyst, date }: { analyst: string; date: string }) =>
-      `This is a report that can be asked: ${name}, with deltav ${version}. ${analyst === "" ? "It does not say who handed it over." : `Handed over by ${analyst}${date === "" ? "" : `, ${date}`}.`}`,
+      `This is an interactive report: ${name}, with deltav ${version}. ${analyst === "" ? "It does not say who handed it over." : `Handed over by ${analyst}${date === "" ? "" : `, ${date}`}.`}`,
     unchanged: "No number has been changed.",
     changed: "The case has been changed since it was handed over: the answer below is not that of the report.",
     changedPrinted: "The case has been changed since the report was handed over",

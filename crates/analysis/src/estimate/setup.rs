@@ -702,7 +702,7 @@ fn speeds(
             return Err(fault(
                 "at_least",
                 format!(
-                    "{:.0} km/h is faster than any speed that is thought of, {:.0} km/h",
+                    "{:.0} km/h is faster than any speed that is considered: the highest is {:.0} km/h",
                     3.6 * least,
                     3.6 * FASTEST
                 ),
@@ -712,9 +712,10 @@ fn speeds(
         if least.is_none() && most == Some(0.0) {
             return Err(fault(
                 "at_most",
-                "a speed of at most 0 says that the vehicle stood, or that it moved backward".to_owned(),
+                "a speed of at most 0 means that the vehicle was stationary or moved backward".to_owned(),
                 format!(
-                    "write speed = \"0 km/h\" in [{}] if it stood, and give at_least, such as \"-20 km/h\", if it moved backward",
+                    "write speed = \"0 km/h\" in [{}] if it was stationary, and give at_least, such as \
+                     \"-20 km/h\", if it moved backward",
                     table(id)
                 ),
             ));

@@ -46,8 +46,9 @@ const WITHOUT_RANGE: &str =
 const TIME_APART: &str = "a string with a number and a unit: the time between two records has no range";
 const ERROR: &str = "a string with a number and a unit: an error has no range";
 
-const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
-const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
+const EXACT: &str = "a string with a number and a unit: its error has a key of its own, as delta_v_error, speed_error or yaw_rate_error";
+const STOOD: &str = "a recorder gives the speed of a vehicle that moved; for a stationary one, leave this \
+                     out and write speed = \"0 km/h\" in the table of the vehicle";
 /// (%) upper limit of the probability that a vehicle stood still: two standing vehicles do not collide.
 const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
@@ -75,8 +76,8 @@ impl<'t> Reader<'t> {
         };
         for key in recorder.given(&KEYS_OF_RECORD) {
             let path = recorder.path_of(key);
-            let message = format!("\"{path}\" is of one record, and `records` has several");
-            let help = Some("move it into the record that it is of".to_owned());
+            let message = format!("\"{path}\" belongs to one record, but `records` has several");
+            let help = Some("move it into the record that it belongs to".to_owned());
             self.report_path(&path, CaseProblem::Fault { message, help });
         }
         if let (true, Some(value)) = (tables.is_empty(), recorder.get("records")) {
@@ -86,9 +87,10 @@ impl<'t> Reader<'t> {
         }
         if let Some(first) = tables.first().filter(|first| first.has("since_previous")) {
             let path = first.path_of("since_previous");
-            let message = format!("\"{path}\" is of the first record, which has none before it");
-            let help =
-                Some("write the records in the order of time, and this key from the second on".to_owned());
+            let message = format!("\"{path}\" belongs to the first record, which has none before it");
+            let help = Some(
+                "list the records in the order of time, and give this key from the second on".to_owned(),
+            );
             self.report_path(&path, CaseProblem::Fault { message, help });
         }
         let record = |table: &Table<'t>| {
@@ -117,8 +119,7 @@ impl<'t> Reader<'t> {
         let others: Vec<OtherImpact> = tables.unwrap_or_default().iter().filter_map(other).collect();
         if !others.is_sorted_by_key(|other| other.after) {
             let path = recorder.path_of("other_impacts");
-            let message =
-                format!("\"{path}\" has an impact after that of the case before one that was before it");
+            let message = format!("\"{path}\" lists an impact after that of the case ahead of one before it");
             let help = Some("write them in the order of time".to_owned());
             self.report_path(&path, CaseProblem::Fault { message, help });
         }
@@ -206,7 +207,10 @@ impl<'t> Reader<'t> {
         };
         if let Err(refusal) = errors.errors(None, None).check() {
             let message = format!("\"{}\" is too large", table.path_of(refusal.name));
-            let help = Some("it is an error of a speed at impact, of the size in its example".to_owned());
+            let help = Some(
+                "it is the error of a speed at impact, and should be about as large as in its example"
+                    .to_owned(),
+            );
             self.report_path(&table.path_of(refusal.name), CaseProblem::Fault { message, help });
         }
         errors

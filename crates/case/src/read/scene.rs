@@ -63,7 +63,8 @@ impl<'t> Reader<'t> {
         let is_within = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
         if !Path::new(file.as_given()).components().all(is_within) {
             let message = format!("\"{}\" is not in the folder of the case file", table.path_of("file"));
-            let help = "put the picture beside the case file, or into a folder there, and write its name: file = \"aerial.jpg\"";
+            let help = "put the picture next to the case file, or into a folder there, and write its name: \
+                        file = \"aerial.jpg\"";
             return self.refuse_at(&table, "file", message, help);
         }
         Some(Some(GivenSitePlan { file, corner, width, angle }))

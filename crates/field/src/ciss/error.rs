@@ -18,8 +18,9 @@ pub enum CissError {
     },
     /// The tables are those of the sample before CISS.
     #[error(
-        "the tables are those of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder, so nothing to hold an estimate \
-         against, and the units of their masses changed over the years. Give the tables of CISS, which follows NASS-CDS \
+        "the tables are those of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder, so there is \
+         nothing to compare an estimate with, and the units of their masses changed over the years. Give \
+         the tables of CISS, which follows NASS-CDS \
          from 2017"
     )]
     Nass,
@@ -34,7 +35,7 @@ pub enum CissError {
         reason: sas7bdat::Error,
     },
     /// A table is there twice.
-    #[error("the table {table} is there twice: {} and {}; give the tables of one year", .files[0], .files[1])]
+    #[error("the table {table} appears twice: {} and {}; give the tables of one year", .files[0], .files[1])]
     Twice {
         /// Its name.
         table: &'static str,

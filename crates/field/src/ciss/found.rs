@@ -104,8 +104,8 @@ impl CissLeftOut {
     #[must_use]
     pub fn why(self, is_of_objects: bool) -> &'static str {
         match (self, is_of_objects) {
-            (Self::SeveralDamages, false) => "with several damages of one vehicle by the event",
-            (Self::SeveralDamages, true) => "with several damages by the event",
+            (Self::SeveralDamages, false) => "with several damaged areas of one vehicle from the event",
+            (Self::SeveralDamages, true) => "with several damaged areas from the event",
             (Self::Plane, false) => "without damage to front, back or side of both",
             (Self::Plane, true) => "without damage to front, back or side",
             (Self::Crush, false) => "without crush profiles of both",

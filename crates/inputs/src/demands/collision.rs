@@ -58,7 +58,7 @@ impl<T: Real> Demand<'_, T> {
         let instead = match lacking.as_slice() {
             [] => String::new(),
             list => format!(
-                "; where C is not known, give in its place {}: C is then placed at the centroid of the damage",
+                "; if C is not known, give in its place {}: C is then placed at the centroid of the damage",
                 list.join(", and ")
             ),
         };
@@ -91,7 +91,7 @@ impl<T: Real> Demand<'_, T> {
                 return None;
             }
             if unknown.is_none() {
-                let reason = "`reconstruct.find` asks for both speeds, where one is to be found";
+                let reason = "`reconstruct.find` asks for both speeds, but only one is to be found here";
                 self.faults.push(Fault {
                     key: "reconstruct.find".to_owned(),
                     kind: FaultKind::Refused { reason: reason.to_owned() },
@@ -123,8 +123,8 @@ impl<T: Real> Demand<'_, T> {
     pub(super) fn both_tables(&mut self) -> bool {
         let absent = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent());
         if let Some(id) = absent {
-            let advice = "a table of its own for each vehicle; `fixed = true` in it is a barrier, a wall or a pole; of one \
-                 vehicle alone, its crush energy and EES can be found, but no speed";
+            let advice = "a table of its own for each vehicle, with `fixed = true` for a barrier, a wall or \
+                          a pole; for one vehicle alone, its crush energy and EES can be found, but no speed";
             self.missing(table(id), advice);
         }
         absent.is_none()

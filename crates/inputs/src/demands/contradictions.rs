@@ -38,7 +38,7 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
         if vehicle.class.is_some() {
             contradiction(
                 &format!("{table}.class"),
-                format!("CRASH3's size classes are of passenger cars, but [{table}] has kind = \"{kind}\""),
+                format!("CRASH3's size classes are for passenger cars, but [{table}] has kind = \"{kind}\""),
                 "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front"
                     .to_owned(),
             );
@@ -47,7 +47,7 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
             contradiction(
                 &format!("{table}.crush.stiffness.category"),
                 format!(
-                    "CRASH3's stiffness categories are of passenger cars, but [{table}] has kind = \"{kind}\""
+                    "CRASH3's stiffness categories are for passenger cars, but [{table}] has kind = \"{kind}\""
                 ),
                 "give A and B of its structure, or a test".to_owned(),
             );

@@ -315,7 +315,7 @@ impl<T: Real> Demand<'_, T> {
             }
             self.missing(
                 "surface.friction",
-                "the friction between tyres and ground, on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
+                "the friction between the tyres and the ground on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
             );
             return None;
         };
@@ -358,8 +358,8 @@ impl<T: Real> Demand<'_, T> {
             format_args!("{table}.after.rest"),
             &format!(
                 "how vehicle {id} left the impact, in a table [{table}.after]: `rest = {{ x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }}` \
-                 with `drag`, or `speed` and `direction` just after the impact; where both left it as one wreck, it is enough of one of \
-                 them, with `locked_together = true` in [scene]"
+                 with `drag`, or `speed` and `direction` just after the impact; if both left it as one \
+                 wreck, this is enough for one of them, with `locked_together = true` in [scene]"
             ),
         );
     }
@@ -639,7 +639,8 @@ impl<T: Real> Demand<'_, T> {
                 format!("as the file gives the speed of vehicle {known}, `find = \"{find}\"` is enough")
             }
             None => format!(
-                "where one vehicle stood or its speed is known, `speed = \"0 km/h\"` in its table and `find = \"{find}\"` (or that of \
+                "if one vehicle was stationary or its speed is known, `speed = \"0 km/h\"` in its table and \
+                 `find = \"{find}\"` (or that of \
                  vehicle 2)"
             ),
         };
@@ -666,10 +667,13 @@ impl<T: Real> Demand<'_, T> {
             match (self.case.skid_length(id, skid), &skid.begin) {
                 (None, _) => self.missing(
                     format_args!("{}.position", table(id)),
-                    "the place of the CG at the impact, where the skid that begins at a place ends: `position = { x = \"10.8 m\", y = \"3.9 m\" }`, \
+                    "the place of the CG at the impact, where the skid ends that begins at `from`: \
+                     `position = { x = \"10.8 m\", y = \"3.9 m\" }`, \
                      or `contact` in a table [scene] and in that of the vehicle",
                 ),
-                (Some(length), SkidBegin::From(_)) if length.value().is_nan() || length.value() < LEAST_PATH => {
+                (Some(length), SkidBegin::From(_))
+                    if length.value().is_nan() || length.value() < LEAST_PATH =>
+                {
                     self.refuse(
                         format!("{}.before.skid.from", table(id)),
                         format!(
@@ -684,7 +688,7 @@ impl<T: Real> Demand<'_, T> {
             if skid.friction.is_none() && self.case.surface.is_none() {
                 self.missing(
                     format_args!("{}.before.skid.friction", table(id)),
-                    "the friction on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
+                    "the friction of the ground on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
                 );
             }
         }

@@ -33,8 +33,8 @@ pub enum MomentumError {
     },
     /// No vehicle is that fast: a number of the case is in the wrong unit.
     #[error(
-        "momentum gives vehicle {vehicle} a speed of {speed:.4e} m/s, and no vehicle is faster than {FASTEST:.0} \
-         m/s; check the masses and the motion after the impact, and their units"
+        "momentum gives vehicle {vehicle} a speed of {speed:.4e} m/s, but no vehicle is faster than \
+         {FASTEST:.0} m/s; check the masses and the motion after the impact, and their units"
     )]
     TooFast {
         /// Which vehicle.
@@ -52,7 +52,7 @@ pub enum MomentumError {
     #[error(
         "with a restitution of {restitution} the speed after the impact with a fixed object hardly depends on \
          the speed before it: 1 m/s before makes {slope:.3} m/s after; give the crush of vehicle {vehicle} to \
-         find its speed, or the restitution that its way out shows"
+         find its speed, or the restitution that its path after the impact shows"
     )]
     NoReturn {
         /// Which vehicle.
@@ -65,7 +65,8 @@ pub enum MomentumError {
     /// The vehicle would move away from the object that it hit.
     #[error(
         "to leave the fixed object like this, vehicle {vehicle} would have come at {speed:.4} m/s along its \
-         heading, which does not lead into it; check the direction after the impact, the heading and the crush \
+         heading, but its heading does not lead into the object; check the direction after the impact, the \
+         heading and the crush \
          plane"
     )]
     LeavesWall {

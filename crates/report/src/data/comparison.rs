@@ -147,9 +147,11 @@ fn method(by: EvidenceMethod, units: Units) -> String {
         EvidenceMethod::DamageAndSpeed { given } => {
             format!("from the crush energy and the given speed of vehicle {given} (theory 6)")
         }
-        EvidenceMethod::DamageAlongLine => "from the crush energy alone (theory 6): along one line it gives the \
+        EvidenceMethod::DamageAlongLine => {
+            "from the crush energy alone (theory 6): along one line it gives the \
              closing speed and both ΔV, but not how much of the closing speed each vehicle had"
-            .to_owned(),
+                .to_owned()
+        }
         EvidenceMethod::Crash3 { pdof_is_given } => {
             let pdof = if pdof_is_given {
                 "the direction of force that the file gives"
@@ -157,13 +159,13 @@ fn method(by: EvidenceMethod, units: Units) -> String {
                 "the direction of force that the momentum gives, because the file gives no `pdof`"
             };
             format!(
-                "CRASH3's corrected ΔV, from the crush energy and {pdof} (Eq 6, 7, 8). The approaches cross, so that \
-                 for a speed the damage needs that of the other vehicle"
+                "CRASH3's corrected ΔV, from the crush energy and {pdof} (Eq 6, 7, 8). The approaches \
+                 cross, so the damage gives a speed only if that of the other vehicle is known"
             )
         }
         EvidenceMethod::Momentum => {
-            "from momentum and how the vehicles left the impact (theory 10). Neither the crush energy enters, nor a \
-             speed that the file may give"
+            "from momentum and how the vehicles left the impact (theory 10). Neither the crush energy nor a \
+             speed that the file may give is used"
                 .to_owned()
         }
         EvidenceMethod::MomentumAndSpeed { given } => format!(
@@ -176,13 +178,13 @@ fn method(by: EvidenceMethod, units: Units) -> String {
         ),
         EvidenceMethod::MomentumAndDamage => {
             "from momentum along the line of the headings and the crush energy (theory 10). A speed that \
-             the file may give does not enter"
+             the file may give is not used"
                 .to_owned()
         }
         EvidenceMethod::Weighed { errors, apart } => format!(
             "from momentum and the crush energy, each weighed by its error (theory 10): {} % and {} of the \
              velocities after the impact, a factor of {} of the crush energy, one standard deviation each. With \
-             these the two lie {} standard deviations apart. A speed that the file may give does not enter",
+             these the two lie {} standard deviations apart. A speed that the file may give is not used",
             number(100.0 * errors.speed, 0),
             units.format(Measure::Angle, errors.direction),
             number(E.power(errors.crush_ln), 2),
@@ -196,21 +198,21 @@ fn no_evidence(reason: &NoEvidence, units: Units) -> String {
     let angle = |si: f64| units.format(Measure::Angle, si);
     match reason {
         NoEvidence::NeedsSpeedOrPdof => {
-            "no answer: the approaches cross, so that for a speed the damage needs that of the \
-             other vehicle, and the force does not push on the damaged sides, as CRASH3's ΔV needs"
+            "no answer: the approaches cross, so the damage gives a speed only if that of the other vehicle \
+             is known, and the force does not push on the damaged sides, as CRASH3's ΔV needs"
                 .to_owned()
         }
         NoEvidence::NeedsSpeed { angle: si } => format!(
             "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not distinguish one speed \
-             from the other. With the speed of one vehicle it gives that of the other",
+             from the other. If the speed of one vehicle is known, it gives that of the other",
             angle(*si)
         ),
         NoEvidence::NoDamage => {
-            "no answer: the file has no damage data, a table [vehicle1.crush] and [vehicle2.crush]".to_owned()
+            "no answer: the file has no damage data (tables [vehicle1.crush] and [vehicle2.crush])".to_owned()
         }
         NoEvidence::NoLaw => {
-            "no answer: the file does not give all that the impact law needs, the contact point and the yaw inertia of \
-             each vehicle and [impact]"
+            "no answer: the file does not give all that the impact law needs: the contact point and the yaw \
+             inertia of each vehicle, and [impact]"
                 .to_owned()
         }
         NoEvidence::Failed(failure) => format!("no answer: {}", no_answer(failure, units)),

@@ -32,8 +32,8 @@ fn speed(figures: &SpeedFigures) -> Value {
 /// Why a record is hardly of this impact.
 pub(crate) fn doubt(record: &DoubtedRecord) -> String {
     format!(
-        "its recorder stored a ΔV of {:.0} km/h, where the speeds of both recorders and one common velocity after the \
-         impact ask for {:.0} km/h: the record is hardly of this impact",
+        "its recorder stored a ΔV of {:.0} km/h, but the speeds of both recorders and one common velocity \
+         after the impact imply {:.0} km/h: the record is probably not of this impact",
         KMH * record.stored,
         KMH * record.common
     )

@@ -17,12 +17,12 @@ fn said(piece: &PieceFound, agreement: Agreement) -> Option<String> {
     let p = piece.p_value.map(|p| with_sign(p.value)).unwrap_or_default();
     match agreement {
         Agreement::Contradicts if piece.reversed => Some(format!(
-            "{name} contradicts the other evidence: {p}. It points the other way than all of that says{}.",
+            "{name} contradicts the other evidence: {p}. It points in the opposite direction to all the rest{}.",
             turned_round(piece.piece)
         )),
         Agreement::Contradicts => Some(format!(
-            "{name} contradicts the other evidence: {p}. The answer lies between both and may be neither; check \
-             what was measured, and the error that it has."
+            "{name} contradicts the other evidence: {p}. The answer lies between the two and may agree with \
+             neither; check what was measured, and its error."
         )),
         Agreement::Doubtful => Some(format!("the other evidence disagrees with {name}: {p}.")),
         Agreement::Agrees => None,
@@ -41,11 +41,11 @@ fn turned_round(piece: Piece) -> &'static str {
              impact, and positive where it was pushed forward"
         }
         Piece::Pdof(_) => {
-            ": it may be turned round. The PDOF is where the force came from, clockwise from the heading: 0° at the \
+            ": it may be reversed. The PDOF is where the force came from, clockwise from the heading: 0° at the \
              front, 180° at the rear"
         }
         Piece::DirectionAfter(_) => {
-            ": it may be turned round. It is the direction in the scene in which the vehicle left the impact"
+            ": it may be reversed. It is the direction in the scene in which the vehicle left the impact"
         }
         _ => "",
     }

@@ -92,7 +92,7 @@ fn density_picture(
             origin(case, estimated, asked)
         ),
         description: format!(
-            "{label}: how probable each value is by all evidence. 95 % interval and median:"
+            "{label}: how probable each value is, given all evidence. 95 % interval and median:"
         ),
         across: Axis { title: label.clone(), unit },
         title: label,

@@ -17,8 +17,9 @@ pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
     });
     let n = claims.judged.len();
     document.paragraph(format!(
-        "The file has {} pairs. {n} of its vehicles have both a recorder that can be judged and a ΔV in the column {}; \
-         {} have only a recorder. `deltav validate --field FILE` judges the program's own estimates by the same \
+        "The file has {} pairs. {n} of its vehicles have both a usable recorder and a ΔV in the column {}; \
+         {} have only a recorder. `deltav validate --field FILE` judges the program's own estimates by the \
+         same \
          recorders.",
         claims.pairs, claims.columns.value, claims.unclaimed
     ));

@@ -115,8 +115,9 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
         }
     }
     page.paragraph(format!(
-        "The first row is the case's own law; the changes are from it, computed before rounding, so that they may \
-         be off by one in the last digit from the differences of the printed figures. E_L is the energy loss, for CRASH3 the crush energy; \
+        "The first row is the case's own law; the changes are relative to it and computed before rounding, \
+         so they may differ by one in the last digit from the differences of the printed figures. E_L is \
+         the energy loss, for CRASH3 the crush energy; \
          W_n and W_t are the work of the normal and the tangential impulse in % of the initial kinetic energy; Ω is the \
          yaw rate after impact, {} positive. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
         axes::sense(case.axes)

@@ -97,7 +97,8 @@ fn tested(class: Option<&TestedClass>) -> String {
     // Eighteen of nineteen is no percentage with a decimal.
     let share = number(100.0 * inside95, usize::from(*n >= 100));
     format!(
-        "Judged on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} measured values of \
+        "Tested on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} \
+         measured values of \
          {quantity}{off}. Data: {source}."
     )
 }
@@ -149,7 +150,7 @@ impl<'a> Page<'a> {
             None => self.answer(),
             Some(NoEstimate::Unconverged) => self.doubts(),
             Some(NoEstimate::Contradicted(keys)) => {
-                let how = format!("{} The medians below are no answer.", missed(&keys));
+                let how = format!("{} The medians below are not an answer.", missed(&keys));
                 self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
             }
         }
@@ -189,10 +190,10 @@ impl<'a> Page<'a> {
         let evidence: Vec<String> =
             self.estimated.pieces.iter().map(|piece| piece_name(piece.piece)).collect();
         let how = if evidence.is_empty() {
-            "Medians and 95 % intervals without any evidence: only what such collisions usually are."
+            "Medians and 95 % intervals without any evidence: only what such collisions are usually like."
                 .to_owned()
         } else {
-            format!("Medians and 95 % intervals by all evidence: {}.", evidence.join("; "))
+            format!("Medians and 95 % intervals from all evidence: {}.", evidence.join("; "))
         };
         let is_untold = |vehicle: VehicleId| {
             [SPEED.of_vehicle(vehicle), DELTA_V.of_vehicle(vehicle)]
@@ -204,8 +205,8 @@ impl<'a> Page<'a> {
         self.document.push(Block::Answer { found, how });
         if untold {
             self.document.paragraph(format!(
-                "The evidence does not determine a speed whose interval is nearly as wide as before the evidence, more \
-                 than {} % of it: the interval then shows what was assumed of such collisions.",
+                "The evidence does not determine a speed if its interval is more than {} % as wide as \
+                 before the evidence: the interval then shows what was assumed about such collisions.",
                 number(100.0 * TOLD_BELOW, 0)
             ));
         }
@@ -226,7 +227,7 @@ impl<'a> Page<'a> {
         let used = self.estimated.posterior.count() / ISLANDS;
         self.document.paragraph(format!(
             "Run it again with more particles, such as `deltav estimate CASE --particles {}`. If that does not \
-             help, pieces of evidence leave hardly any collision that they all allow: see below which of them \
+             help, hardly any collision agrees with all pieces of evidence: see below which of them \
              disagree, give larger errors to what is less certain than the case says, and look for a wrong \
              sign or unit.",
             2 * used
@@ -239,8 +240,8 @@ impl<'a> Page<'a> {
         for same in &self.estimated.same_twice {
             let [one, other] = &same.keys;
             lines.push(format!(
-                "`{one}` and `{other}` may say the same thing twice, where the first was found from the second; \
-                 the interval is then too narrow. Leave one out."
+                "`{one}` and `{other}` may state the same thing twice, if the first was derived from the \
+                 second; the interval is then too narrow. Leave one out."
             ));
         }
         if !lines.is_empty() {
@@ -328,7 +329,7 @@ impl<'a> Page<'a> {
             "\"Before\" shows such collisions without this evidence, within the limits that are certain."
                 .to_owned();
         if self.estimated.outputs.iter().any(|output| output.prior.is_none()) {
-            words.push_str(" The run without evidence has not converged, so nothing stands there.");
+            words.push_str(" The run without evidence has not converged, so these columns are empty.");
         }
         self.document.paragraph(words);
     }
@@ -389,17 +390,18 @@ impl<'a> Page<'a> {
         let mut words = String::new();
         if is_judged {
             words.push_str(
-                "Median and 95 % interval of the speed of each vehicle by one piece alone, and by all others. \
-                 – : that run has not converged. ",
+                "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
+                 others. – : that run has not converged. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
-            words.push_str("– : it takes a run without the piece to tell. ");
+            words.push_str("– : only a run without the piece can show this. ");
         }
         words.push_str(&format!(
             "The p-value is the probability, given all other evidence, of an observation at least this far off. For \
-             the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's correction), so \
-             that, where all pieces are right, any is warned of in at most {} % of cases: below {DOUBTFUL} after \
-             that, a piece is doubtful; if its p-value itself is then below {CONTRADICTS}, it contradicts the other evidence.",
+             the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's \
+             correction), so that, if all pieces are right, a warning appears in at most {} % of cases: if \
+             the product is below {DOUBTFUL}, the piece is doubtful; if the p-value itself is below \
+             {CONTRADICTS} too, the piece contradicts the other evidence.",
             number(100.0 * DOUBTFUL, 0)
         ));
         self.document.paragraph(words);
@@ -431,7 +433,10 @@ impl<'a> Page<'a> {
         }
         let defaults = &self.estimated.default_errors;
         if !defaults.is_empty() {
-            table.notes.push(format!("Errors that the case does not give: {}.", quoted(defaults, ", ")));
+            table.notes.push(format!(
+                "Errors that the case does not give, taken by default: {}.",
+                quoted(defaults, ", ")
+            ));
         }
         self.document.push(table);
         for words in crush_words(self.estimated) {
@@ -444,7 +449,7 @@ impl<'a> Page<'a> {
             return;
         }
         let mut table = Table::new(
-            "Given and not used",
+            "Given but not used",
             [
                 Column::words("", Width::Fixed(24)),
                 Column::words("why", Width::Fixed(40)),
@@ -501,7 +506,7 @@ impl<'a> Page<'a> {
                 "The severity is that of collisions after which a vehicle was towed and in which somebody in either \
                  vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
             }
-            SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
+            SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as requested.",
         };
         self.document.paragraph(words);
         self.if_injured();
@@ -521,7 +526,7 @@ impl<'a> Page<'a> {
             return;
         }
         self.document.paragraph(
-            "If somebody in either vehicle was seriously hurt (MAIS 3 or more), such collisions are severer. With \
+            "If somebody in either vehicle was seriously hurt (MAIS 3 or more), such collisions are more severe. With \
              `--prior serious-injury`, or `prior = \"serious-injury\"` in [estimate], the answer is:",
         );
         self.document.push(Block::List(told));
@@ -585,9 +590,9 @@ impl<'a> Page<'a> {
 
     fn limits(&mut self) {
         self.document.paragraph(
-            "How far crush energies, PDOFs and recorders are off was fitted on 329 crashes of 2017 with \
-             recorders, of cars in the United States (docs/calibration.md): in other collisions it may be more. The \
-             intervals contain the errors that are listed here, and no others.",
+            "The errors of crush energies, PDOFs and recorders were fitted to 329 crashes of 2017 with \
+             recorders, of cars in the United States (docs/calibration.md): in other collisions they may be \
+             larger. The intervals contain the errors that are listed here, and no others.",
         );
     }
 }

@@ -10,8 +10,9 @@ use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// That the crashes were chosen for an injury.
-pub(super) const CHOSEN: &str = "The crashes are taken to have been chosen because somebody in either vehicle was \
-     seriously hurt (MAIS 3 or more). Before the evidence, they are severer than those after which a vehicle was towed.";
+pub(super) const CHOSEN: &str = "The crashes are assumed to have been chosen because somebody in either \
+                                 vehicle was seriously hurt (MAIS 3 or more). Before the evidence, they are \
+                                 more severe than those after which a vehicle was towed.";
 
 /// Intervals of ΔV, estimated without the recorder, against what it stored.
 #[must_use]
@@ -27,9 +28,10 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     if field.objects {
         document.paragraph(format!(
             "The program estimated the ΔV of {n} vehicles whose front struck an object, in {collisions} collisions, \
-             of {} in the file, from the damage, the PDOF and the mass. The recorder is no evidence. The speed is \
+             of {} in the file, from the damage, the PDOF and the mass. The recorder is not used as \
+             evidence. The speed is \
              unknown, and the object does not move and takes no energy. The intervals are those of what the recorder \
-             should store, with its own error. Lines of other damage than that of a front are not read.",
+             should store, with its own error. Lines with damage other than to the front are not read.",
             field.pairs
         ));
     } else {
@@ -40,7 +42,8 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
         };
         document.paragraph(format!(
             "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, from \
-             {evidence}. The recorder of the judged vehicle is no evidence. Both speeds are unknown. The intervals \
+             {evidence}. The recorder of the judged vehicle is not used as evidence. Both speeds are \
+             unknown. The intervals \
              are those of what the recorder should store, with its own error.",
             field.pairs
         ));
@@ -50,7 +53,7 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     }
     if field.finished < field.pairs {
         document.paragraph(format!(
-            "Ended early: only the first {} {rows} of the file were gone through. All figures are of these alone.",
+            "Ended early: only the first {} {rows} of the file were processed. All figures are for these alone.",
             field.finished
         ));
     }
@@ -61,7 +64,7 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     let unconverged: Vec<&Judged> = field.judged.iter().filter(|judged| !judged.converged).collect();
     if let Some(first) = unconverged.first() {
         document.paragraph(format!(
-            "Of {} vehicles the run did not converge; the first is vehicle {} of crash {}. More particles help.",
+            "For {} vehicles the run did not converge; the first is vehicle {} of crash {}. More particles help.",
             unconverged.len(),
             first.vehicle,
             first.case
@@ -73,22 +76,23 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
             field.doubted.iter().map(|(case, vehicle)| format!("vehicle {vehicle} of crash {case}"));
         let recorders: Vec<_> = recorders.collect::<BTreeSet<_>>().into_iter().collect();
         document.paragraph(format!(
-            "Left out: the recorder of {}. Its records of two events fit these events more than a hundred times \
-             better the other way round, by their directions and by the momentum that the other vehicle's recorder \
-             shows. So it is not known which record is of which event.",
+            "Left out: the recorder of {}. Its records of two events fit these events more than a hundred \
+             times better if they are exchanged, judging by their directions and by the momentum that the \
+             other vehicle's recorder shows. So it is not known which record is of which event.",
             recorders.join(", of ")
         ));
     }
     if field.other {
         document.paragraph(
-            "one-event: without collisions whose recorders stored two events, as the changes of momentum by them \
-             (mass times ΔV) differ by more than a factor of 2.7. They are in all other rows.",
+            "one-event: without collisions whose two recorders stored different events, because the changes \
+             of momentum that they show (mass times ΔV) differ by more than a factor of 2.7. They are in \
+             all other rows.",
         );
     }
     document.paragraph(
         "bias: mean of ln(median/recorder). rms: root mean square of the same. ± is a standard error that counts \
          collisions, not vehicles. CRPS: continuous ranked probability score; for a single value it is the mean \
-         absolute error. WinSMASH is NHTSA's program; its values come from the file and are no input.",
+         absolute error. WinSMASH is NHTSA's program; its values come from the file and are not used as input.",
     );
     document
 }

@@ -112,7 +112,7 @@ pub fn handover(
     page.heading("Inputs");
     page.paragraph(
         "Every number of the case file in its own unit and in the SI unit that the program uses; what the \
-         file says in words; and what the program assumes where the file does not say.",
+         file gives in words; and what the program assumes where the file gives nothing.",
     );
     page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
     page.heading("Results step by step");
@@ -155,8 +155,8 @@ pub fn handover(
                 None => "planar impact mechanics",
             };
             page.paragraph(format!(
-                "The ΔV of this report is that of {of}, the first row. CRASH3's formulas stand here for comparison \
-                 only."
+                "The ΔV of this report is that of {of}, the first row. CRASH3's formulas are given here for \
+                 comparison only."
             ));
         }
         page.push(table);
@@ -309,11 +309,11 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
     let mut how = match uncertainty.filter(has_interval) {
         Some(Uncertainty { inputs, taken_as_exact, .. }) => {
             let by_all = if of_method.is_some() {
-                "The first interval has the errors of the method and the usual errors of all inputs. "
+                "The first interval includes the errors of the method and the usual errors of all inputs. "
                     .to_owned()
             } else if supplements.weighed.is_none() && !is_estimated_beside(case) {
-                "The surface has so many zones that the interval with the errors of the method takes minutes, so this \
-                     report goes without it: `deltav estimate` computes it. "
+                "The surface has so many zones that the interval with the errors of the method takes \
+                 minutes, so this report omits it: `deltav estimate` computes it. "
                     .to_owned()
             } else {
                 String::new()
@@ -439,8 +439,8 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
             ),
             Basis::TangentialShare(_) => (
                 "equals the crush energy",
-                "That share is the analyst's choice: the method of the paper takes nothing of the tangential \
-                 work for crush.",
+                "That share is the analyst's choice: the method of the paper counts none of the tangential \
+                 work as crush.",
             ),
         };
         let way = search(found);
@@ -464,7 +464,7 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
     } else if analysis.impact.is_some() {
         paragraphs.push(
             "Planar impact mechanics gives the motion after the impact from that before it: one condition along the normal of the crush plane and one along \
-             the plane determine the impulse, and the impulse all the rest."
+             the plane determine the impulse, and the impulse determines all the rest."
                 .to_owned(),
         );
     } else if analysis.travel.iter().any(Option::is_some) {

@@ -55,7 +55,7 @@ impl<'a> Headline<'a> {
                     page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
                     page.paragraph(format!(
                         "{because} So all of it was weighed, each piece by its error; the intervals contain the \
-                         errors of the method, too. `deltav estimate` shows what each piece says."
+                         errors of the method, too. `deltav estimate` shows the effect of each piece."
                     ));
                 } else {
                     page.push(Block::Answer {

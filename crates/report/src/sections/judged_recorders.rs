@@ -17,7 +17,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
     });
     let (speeds, delta_vs) = (&recorders.other_speed, &recorders.delta_v_from_speeds);
     document.paragraph(format!(
-        "The file has {} rows. The recorders of both vehicles stored a speed in {} of them that can be judged. The \
+        "The file has {} rows. In {} of them, the recorders of both vehicles stored a speed that can be judged. The \
          speed of each vehicle is estimated from all evidence but its own recorder: the crush, the PDOF, the headings \
          and the other vehicle's recorder.",
         recorders.finished,
@@ -50,8 +50,8 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
         let parts = speeds.half_width_without.iter();
         let parts = parts.map(|(part, width)| format!("{} {}", part.name(), kmh(Some(*width))));
         document.paragraph(format!(
-            "half width: the median of half the widths of the 95 % intervals. With one part of the evidence exact it \
-             would be (km/h): {}.",
+            "half width: the median of half the widths of the 95 % intervals. If one part of the evidence \
+             were exact, it would be (km/h): {}.",
             parts.collect::<Vec<_>>().join(", ")
         ));
     }

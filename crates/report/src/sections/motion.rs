@@ -26,8 +26,8 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
         both.rivals().map(|other| other.speeds.map(|speed| units.speed(speed)).join(" and ")).collect();
     if !rivals.is_empty() {
         how.push_str(&format!(
-            " The evidence does not distinguish it from another: {} would agree about as well. Do not rely on these \
-             speeds before a mark or a witness tells which way the vehicles turned.",
+            " The evidence does not distinguish it from another: {} would agree about as well. Do not rely \
+             on these speeds until a mark or a witness shows which way the vehicles turned.",
             rivals.join(", or ")
         ));
     }
@@ -37,16 +37,18 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
 /// The evidence from which both speeds follow.
 fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
-        [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",
+        [one, two] if one.is_by_rest() && two.is_by_rest() => {
+            "is known from the rest positions of both vehicles"
+        }
         [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
-        _ => "the case gives or the rest position tells",
+        _ => "the case gives or which is known from the rest position",
     };
     let left = format!("how the vehicles left the impact, which {evidence}");
     let angle = units.format(Measure::Angle, both.momentum.angle().abs());
     match &both.method {
         BothMethod::Momentum => format!(
-            "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10). The \
-             crush energy, where the case has it, is a check.{}",
+            "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10). \
+             The crush energy, if the case has it, is a check.{}",
             point_masses(both)
         ),
         BothMethod::MomentumAndSpeed { given } => format!(
@@ -87,8 +89,8 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
 fn point_masses(both: &BothFound) -> &'static str {
     match both.geometry {
         Geometry::PointMasses => {
-            " The case does not give the contact point and the yaw inertia of both vehicles and [impact], which do not \
-             change the speeds: the vehicles count as point masses, the energy is that of their translation, and \
+            " The case lacks a contact point, a yaw inertia or [impact], which do not affect the speeds: \
+             the vehicles count as point masses, the energy is that of their translation, and \
              restitution and closing speed are those along the impulse."
         }
         Geometry::Given | Geometry::Plane => "",
@@ -135,7 +137,8 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
                 };
                 let miss = travel.miss().map_or(0.0, |(miss, _)| miss);
                 how.push_str(&format!(
-                    " The start of vehicle {id} was found as the one that leads to its rest, to within {}. {others}.",
+                    " The motion of vehicle {id} after the impact was found as the one that leads to its \
+                     rest, to within {}. {others}.",
                     apart(miss)
                 ));
             }
@@ -143,8 +146,9 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
                 let measured = travel.measured.map(|rest| rest.position - travel.start.position);
                 let length = measured.map_or(travel.rest.distance, |way| way.norm());
                 how.push_str(&format!(
-                    " Vehicle {id} did not spin, by EDCRASH's rule: it is taken to have left straight towards its \
-                     rest, without yaw, at the speed that takes it {} far, as far as it was found.",
+                    " By EDCRASH's rule, vehicle {id} did not spin: it is taken to have left straight \
+                     towards its rest, without yaw, at the speed that carries it {}, the distance at which \
+                     it was found.",
                     apart(length)
                 ));
             }
@@ -180,7 +184,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
         chosen.pair(&mut of_vehicles, row);
     }
     let mut note =
-        "These figures follow from the speeds found and the velocities after the impact alone.".to_owned();
+        "These figures follow only from the speeds found and the velocities after the impact.".to_owned();
     if both.geometry == Geometry::Given {
         note.push_str(if both.one_velocity {
             " The case gives one velocity for both vehicles and no yaw rate: they left as one body that did not turn."
@@ -219,8 +223,9 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
         chosen.pair(&mut of_vehicles, row);
     }
     of_vehicles.notes.push(format!(
-        "What the impact law of the case makes of the speeds found. It would lose {}, and momentum tells {}. No result rests \
-         on it: the more the two differ, the less the law or its coefficients fit this collision.",
+        "The impact law of the case, applied to the speeds found. By the law the impact loses {}, by \
+         momentum {}. No result depends on this check: the more the two differ, the less the law or its \
+         coefficients fit this collision.",
         units.format(Measure::Energy, outcome.energy.loss),
         units.format(Measure::Energy, told.energy.loss),
     ));

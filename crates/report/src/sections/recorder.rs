@@ -166,13 +166,14 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
     table.notes.push(if known.is_empty() {
-        "The case tells neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`."
+        "The case gives neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`."
             .to_owned()
     } else {
         let errors = MatchErrors::default();
         format!(
-            "The damage shows {}. The records are held against it with errors (standard deviations) of {}° in direction and {} % in ΔV; \
-             {} % of all records are taken to be of no such impact.",
+            "The damage shows {}. The records are compared with it, with errors (standard deviations) of \
+             {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no impact that is \
+             listed here.",
             known.join(" and "),
             degrees(errors.direction),
             number(100.0 * errors.size, 0),
@@ -265,7 +266,9 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
     page.push(samples(record, found, units));
     if found.distances.is_empty() {
-        page.paragraph("No sample has a speed: the record tells no distance, and no speed at the impact.");
+        page.paragraph(
+            "No sample has a speed: the record gives neither a distance nor a speed at the impact.",
+        );
         return;
     }
     let rounding = if found.errors.step > 0.0 {
@@ -275,8 +278,9 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     };
     page.paragraph(format!(
         "The distance is that to the last sample. It lies between \"at least\" and \"at most\" for every course of the speed \
-         that changes by 1 g at most, either way, and whose stored values {rounding}. \"Left\" holds each speed until the \
-         next sample and \"right\" since the one before; \"between\" is straight. A speed that reads low, as in braking, makes all of \
+         that changes by 1 g at most, either way, and whose stored values {rounding}. \"Left\" holds each \
+         speed until the next sample and \"right\" from the one before; \"between\" is straight. A speed \
+         that reads low, as in braking, makes all of \
          them too short.",
     ));
     steep(page, found);
@@ -284,7 +288,7 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
         page.push(account(speed, found, units));
         if let Some(fall) = &speed.steep_fall {
             let means = if fall.is_slip {
-                "Several samples are that low, so that the wheels slipped or locked long before the impact: the earlier speed \
+                "Several samples are that low, so the wheels slipped or locked long before the impact: the earlier speed \
                  counts."
                     .to_owned()
             } else {
@@ -319,7 +323,8 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         .collect();
     page.paragraph(format!(
         "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped again, or the vehicle \
-         struck something. There the bounds let the speed change at any instant, and hold it to 1 g in the other sense alone.",
+         struck something. There the bounds let the speed change at any instant, and limit it to 1 g only \
+         in the other sense.",
         places.join(", ")
     ));
 }
@@ -427,8 +432,8 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let percent = |share: f64| number(100.0 * share, 2);
     table.notes.push(format!(
         "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
-         against GPS), and between them by the deceleration before the last sample, less what an engine brakes where the brake is \
-         off. Tyres: ± {} %.",
+         against GPS), and between them by the deceleration before the last sample, less the braking of the \
+         engine where the brake is off. Tyres: ± {} %.",
         kmh(errors.step),
         percent(errors.steady_low),
         percent(errors.steady_sd),
@@ -437,7 +442,8 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         percent(errors.tyre_sd),
     ));
     table.notes.push(format!(
-        "From the last speed to the impact: braked by anything up to {} g with the brake on, within ± {} g with it off. {} A stored \
+        "From the last speed to the impact: any deceleration up to {} g with the brake on, within ± {} g \
+         with it off. {} A stored \
          speed is up to {} s old. Each is a key of `errors`.",
         number(errors.friction, 2),
         number(errors.coasting / 9.80665, 2),
@@ -455,15 +461,15 @@ fn brake(found: &VehicleReading) -> String {
     let percent = number(100.0 * found.errors.brake_comes_on, 0);
     let samples = found.recorder.before_impact().map_or(&[][..], PreCrash::samples);
     let comes_on = format!(
-        "Where the last sample has it off, it came on within half a second with {percent} %, within a longer time with as much of \
-         the rest in each half second, at any instant of it."
+        "If the brake is off in the last sample, it comes on with a probability of {percent} % in the first \
+         half second, and with the same share of the rest in each further half second, at any instant of it."
     );
     if samples.iter().all(|one| one.brake.is_none()) {
-        return format!(
-            "No sample tells of the brake: it is taken to be on or off with 50 % each. {comes_on}"
-        );
+        return format!("No sample shows the brake: it is taken to be on or off with 50 % each. {comes_on}");
     }
-    format!("It is as the samples say, and changes at any instant between two that differ. {comes_on}")
+    format!(
+        "The brake is as the samples show, and changes at any instant between two that differ. {comes_on}"
+    )
 }
 
 fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
@@ -550,7 +556,8 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
     if let Some(time) = pulse.padded_from() {
         page.paragraph(format!(
-            "From {} on the record is 0 throughout: the recorder filled it up. These zeros are left out, and ΔV is a lower bound.",
+            "From {} on, the record is 0 throughout: the recorder padded it. These zeros are left out, and \
+             ΔV is a lower bound.",
             milliseconds(time)
         ));
     } else if found.is_cut {
@@ -561,15 +568,15 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
     if let Some([from, to]) = pulse.pause() {
         page.paragraph(format!(
-            "ΔV stands still from {} to {}, and then changes again: a second impact, or one with a pause. The first rule ends at \
-             the pause, and the others hold both.",
+            "ΔV does not change from {} to {}, and then changes again: a second impact, or one with a \
+             pause. By the first rule the pulse ends at the pause; by the others it includes both.",
             milliseconds(from),
             milliseconds(to)
         ));
     }
     if let Some(time) = pulse.alone_from() {
         page.paragraph(format!(
-            "After {} one axis alone has a ΔV, and the other may have changed further.",
+            "After {} only one axis has a ΔV; that of the other may have changed further.",
             milliseconds(time)
         ));
     }
@@ -578,7 +585,8 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 /// Where the recorder is, and ΔV at the centre of gravity.
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let (Some(at), Some(told)) = (found.recorder.at, found.delta_v.filter(|_| is_of_center(found))) else {
-        return "ΔV is that of the recorder's place: with `yaw_rate` it is taken to the centre of gravity."
+        return "ΔV is that at the place of the recorder: with `yaw_rate` it is converted to that at the \
+                centre of gravity."
             .to_owned();
     };
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {

@@ -18,7 +18,7 @@ fn inferred_crush(inferred: &Inferred, units: Units) -> String {
     let length = |si: f64| units.format(Measure::Crush, si);
     let of = |crush: &UniformCrush| format!("{} deep, {} wide", length(crush.depth), length(crush.width));
     let bounds = inferred.range.as_ref().map_or_else(String::new, |range| {
-        format!("; possible are {} to {}", of(&range.lowest), of(&range.highest))
+        format!("; possible: {} to {}", of(&range.lowest), of(&range.highest))
     });
     format!("{}, inferred from the force on the other vehicle{bounds}", of(&inferred.crush))
 }

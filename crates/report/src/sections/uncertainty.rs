@@ -86,8 +86,8 @@ impl<'a> Page<'a> {
         let mut lines = Vec::new();
         if uncertainty.nominal.overdetermined().is_some() {
             lines.push(format!(
-                "All intervals are those of the exact solution by {}, which is not the answer of the case: it \
-                 has more evidence than that uses. `deltav reconstruct` weighs all of it.",
+                "All intervals are those of the exact solution by {}, which is not the answer of the case: \
+                 the case has more evidence than that solution uses. `deltav reconstruct` weighs all of it.",
                 words::solution(uncertainty.nominal.solved_by())
             ));
         }
@@ -106,8 +106,8 @@ impl<'a> Page<'a> {
         }
         if analysis::is_searched_back(self.case) {
             lines.push(
-                "Each sample is searched back from where the vehicles came to rest, so they are fewer than usual: \
-                 `deltav uncertainty --samples N` draws N."
+                "Each sample needs a search back from where the vehicles came to rest, so there are fewer \
+                 than usual: `deltav uncertainty --samples N` draws N."
                     .to_owned(),
             );
         }
@@ -173,8 +173,7 @@ impl<'a> Page<'a> {
         if doubts.is_empty() {
             return doubts;
         }
-        let lead =
-            "Samples with an answer of which a single case would be warned; the intervals contain them:";
+        let lead = "Samples whose answer would cause a warning in a single case; the intervals contain them:";
         std::iter::once(lead.to_owned()).chain(doubts).collect()
     }
 
@@ -593,8 +592,8 @@ impl<'a> Page<'a> {
         let list: Vec<&str> = contact.iter().map(|(_, words)| words.as_str()).collect();
         self.document.paragraph(format!(
             "Spread by default: {}. The file gives no contact point, so C is at the centroid of the damage. \
-             Its error is {} ({SMITH_NOGA}). A range of `offset`, `width` or `depths` replaces its part. How \
-             far the force acts from the centroid is not known and not in the spread. {SWITCH_OFF}",
+             Its error is {} ({SMITH_NOGA}). A range of `offset`, `width` or `depths` replaces its part. \
+             How far the force acts from the centroid is unknown and not in the spread. {SWITCH_OFF}",
             list.join("; "),
             parts.join("; ")
         ));

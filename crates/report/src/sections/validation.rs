@@ -290,8 +290,9 @@ fn record(validation: &Validation) -> Vec<Block> {
         heading("Record of the validation"),
         paragraph(format!(
             "For the records of a laboratory (ISO/IEC 17025:2017, 7.2.2.4): deltav {}; SHA-256 of the built-in data {hash}. \
-             `deltav validate` tests all of it again in seconds, without a network. How far the methods are from measured \
-             values, which no requirement bounds, is the error rate below; intervals of ΔV by recorders of real crashes are \
+             `deltav validate` tests all of it again in seconds, without a network. No requirement bounds \
+             how far the methods are from measured values: that is the error rate below; intervals of ΔV by \
+             recorders of real crashes are \
              in docs/calibration.md.",
             env!("CARGO_PKG_VERSION")
         )),
@@ -736,7 +737,8 @@ fn sources() -> Vec<Block> {
         paragraph(
             "\"The paper\": R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998), Tables 1 to 3 \
              and the appendix. SAE 871993: R. M. Brach (1987), Table 1. The inputs are the case files in fixtures/ricsac, where the source of each value, \
-             and whether it is published, corrected or solved back, stands beside it; fixtures/README.md names the sources. Test 2 is in none of \
+             and whether it is published, corrected or solved back, is given next to it; fixtures/README.md \
+             names the sources. Test 2 is in none of \
              the papers' tables: its accelerometers failed. Published data on the motion after the impact \
              are in fixtures/ricsac/motion/published.toml: velocities from Vossou & Koulocheris (Mobility & \
              Vehicle Mechanics 44(3), 2018), rest from T. D. Day, SAE 2004-01-1207, directions from Jones & \

@@ -24,7 +24,7 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
     let mut tables = vec![
         numbers(file),
         pairs(CHOICES, ["key in the case file", "as given"], understood::choices(&file.case)),
-        pairs(ASSUMED, ["key that would say it", "assumed"], assumed),
+        pairs(ASSUMED, ["key that would give it", "assumed"], assumed),
     ];
     tables.retain(|table| !table.rows.is_empty());
     tables

@@ -66,7 +66,8 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
         heading("From the impact to rest"),
         paragraph(
             "Each vehicle whose velocity after the impact and rest are published, followed to rest as `deltav motion` does: one body on \
-             four wheels, straight front wheels, friction 0.87. The drag (a fraction of the weight) is published nowhere. It was \
+             four wheels, straight front wheels, friction 0.87. The drag (a fraction of the weight) is not \
+             published. It was \
              fitted to the distance, by another program with another integration, so the distance, \
              claimed within 3 %, shows only that both follow the same equations. The turn was not fitted. \
              Distances are in m, counter-clockwise turns are positive.",
@@ -89,8 +90,9 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
         ),
         paragraph(format!(
             "The distance from the impact to rest is not printed: it follows from two columns of SAE 2004-01-1207, Table 8, and has their rounding. \
-             The places of the impacts are not published, so the rest is missed by the distance to the point at \
-             the published distance in the published direction (Neades, Table 5.9), which has no sign and can be used in tests 2 and 6 alone. The direction may \
+             The places of the impacts are not published, so the column \"rest missed\" has the distance to \
+             the point at the published distance in the published direction (Neades, Table 5.9), which has \
+             no sign and can be used only in tests 2 and 6. The direction may \
              itself be off by 5°; the rest positions and contact points of test 6 put it 4° to 5° further round. For comparison, \
              the mean error of the path over the vehicles of a test was, in five tests, {} (SAE 2004-01-1207, Table 8). Those simulations start before the \
              impact, with the speeds of the test and without a fitted drag, so they have the harder task. Vehicle 2 of test 10 was stopped by an object, and of test 2 no \
@@ -198,7 +200,8 @@ pub(super) fn both_speeds(validation: &Validation, notes: &mut Notes) -> Vec<Blo
             ]),
         ),
         paragraph(
-            "The two speeds of a collision are not independent, and vehicles that stood are not among the %. \
+            "The two speeds of a collision are not independent, and vehicles that were stationary are not \
+             counted in the %. \
              The limits are a guide, as above.",
         ),
     ]
