@@ -57,7 +57,7 @@ pub(crate) fn image(drawing: &report::Drawing) -> String {
 
 #[pymethods]
 impl Picture {
-    /// What it is headed with.
+    /// Its title.
     #[getter]
     fn title(&self) -> &str {
         self.drawing.title()
@@ -121,9 +121,9 @@ impl Picture {
     /// Raises
     /// ------
     /// ValueError
-    ///     For another ending.
+    ///     For any other ending.
     /// OSError
-    ///     Where the file cannot be written.
+    ///     If the file cannot be written.
     ///
     /// Examples
     /// --------
