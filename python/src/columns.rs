@@ -14,19 +14,19 @@ use pyo3_arrow::buffer::PyArrowBuffer;
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 
 /// The samples of an uncertainty, or the draws of an estimate: a column for each number, in SI units and
-/// radians. It works as a dict of columns by their keys.
+/// radians. It reads as a dict of columns by their keys.
 ///
 /// ``columns[key]`` is a NumPy array on the memory of the result, without a copy: it cannot be written to,
-/// and outlives the result. A sample without an answer is NaN. Libraries that speak Arrow take it as it
+/// and outlives the result. A sample without an answer is NaN. Whatever speaks Arrow takes the whole as it
 /// is: ``polars.DataFrame(columns)``, ``pyarrow.record_batch(columns)``,
-/// ``pandas.DataFrame.from_arrow(columns)``. There the columns have the names of their keys, with ``_`` in
-/// place of dots and brackets, and ``columns["vehicle1_speed"]`` accepts these names, too; a sample
+/// ``pandas.DataFrame.from_arrow(columns)``. There the columns are called as their keys, with ``_`` in
+/// place of dots and brackets, and ``columns["vehicle1_speed"]`` knows them by these names, too; a sample
 /// without an answer is null, and the column ``failed`` says why it has none.
 ///
 /// Raises
 /// ------
 /// KeyError
-///     For an unknown column; the text names the existing ones.
+///     For a column that there is not; the text names those that there are.
 ///
 /// Examples
 /// --------
@@ -147,14 +147,14 @@ impl Columns {
         self.keys.iter().map(|key| Ok((key.clone(), self.__getitem__(py, key)?))).collect()
     }
 
-    /// The column of a key, or the default.
+    /// The column of a key, or what else is given.
     ///
     /// Parameters
     /// ----------
     /// key : str
-    ///     As for ``columns[key]``.
+    ///     As of ``columns[key]``.
     /// default : optional
-    ///     What is returned if there is no such column.
+    ///     What is returned where there is no such column.
     ///
     /// Returns
     /// -------

@@ -30,11 +30,11 @@ pub(crate) struct Given {
     path: Option<PathBuf>,
 }
 
-/// What is known about a collision: a case file that was read and checked.
+/// What is known of a collision: a case file that was read and checked.
 ///
-/// ``Case.read`` takes a file, ``Case.parse`` a text and ``Case.from_dict`` a dict. They are checked at
-/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods give the
-/// answers of the commands of the same name of the program ``deltav``, with the same bits.
+/// ``Case.read`` takes a file, ``Case.parse`` a text and ``Case.from_dict`` a dict. All are checked at
+/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods answer what
+/// the commands of the program ``deltav`` of the same name answer, with the same bits.
 ///
 /// Examples
 /// --------
@@ -182,9 +182,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// OSError
-    ///     If the file cannot be read.
+    ///     Where the file cannot be read.
     /// CaseError
-    ///     If it is not a case.
+    ///     Where it is no case.
     ///
     /// Examples
     /// --------
@@ -211,7 +211,7 @@ impl PyCase {
     /// text : str
     ///     The text; ``Case.read`` takes a path.
     /// name : str
-    ///     Its name in errors and results.
+    ///     What errors and results call it.
     ///
     /// Returns
     /// -------
@@ -220,7 +220,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If it is not a case.
+    ///     Where it is no case.
     ///
     /// Examples
     /// --------
@@ -261,7 +261,7 @@ impl PyCase {
     /// case : Mapping
     ///     Tables as dicts, texts, numbers, flags, lists, and arrays of NumPy.
     /// name : str
-    ///     Its name in errors and results.
+    ///     What errors and results call it.
     ///
     /// Returns
     /// -------
@@ -270,7 +270,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If it is not a case.
+    ///     Where it is no case.
     ///
     /// Examples
     /// --------
@@ -349,9 +349,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -372,9 +372,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -387,7 +387,7 @@ impl PyCase {
         self.asked(py, Request::Impact, None)
     }
 
-    /// Follows each vehicle from the impact to rest, or finds from its rest position how it left the impact.
+    /// Follows each vehicle from the impact to rest, or finds how it left from where it came to rest.
     ///
     /// Returns
     /// -------
@@ -397,9 +397,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -428,9 +428,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -443,7 +443,7 @@ impl PyCase {
         self.asked(py, Request::Crush, None)
     }
 
-    /// Says what the case allows, what is assumed where it gives nothing, and which warnings apply, without
+    /// Says what the case allows, what is assumed where it says nothing, and what it warns of, without
     /// solving it.
     ///
     /// Returns
@@ -469,9 +469,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -483,7 +483,7 @@ impl PyCase {
         self.asked(py, Request::Compare, None)
     }
 
-    /// Gives the derivative of the answer with respect to each input, and sweeps the PDOF to both sides.
+    /// Gives the derivatives of the answer by each input, and sweeps the PDOF to both sides.
     ///
     /// Parameters
     /// ----------
@@ -500,11 +500,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an impossible step or number of steps.
+    ///     For a step or a number of steps that cannot be.
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -530,15 +530,15 @@ impl PyCase {
     /// Parameters
     /// ----------
     /// samples : int, optional
-    ///     (–) by default 100,000, or 1000 where the motion is searched back from the rest positions.
+    ///     (–) without it 100,000, or 1000 where the vehicles are searched back from their rests.
     /// seed : int
-    ///     (–) seed of the random numbers; the same seed gives the same bits.
+    ///     (–) of the random numbers; the same seed gives the same bits.
     /// method : {"monte-carlo", "latin-hypercube", "sobol"}
     ///     How the samples are drawn.
     /// sobol : int, optional
     ///     (–) rows, such as 4096, from which Sobol' indices are computed.
     /// threads : int, optional
-    ///     By default one for each processor. The bits do not depend on it.
+    ///     Without it one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -548,11 +548,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an impossible number or an unknown method.
+    ///     For a number or a method that cannot be.
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -586,22 +586,22 @@ impl PyCase {
         self.asked(py, Request::Uncertainty(options), threads.map(|threads| threads.0))
     }
 
-    /// Estimates the speeds from all evidence, with their probabilities. Ctrl-C ends it.
+    /// Estimates the speeds from all evidence, with how probable each is. Ctrl-C ends it.
     ///
     /// Parameters
     /// ----------
     /// particles : int
-    ///     (–) particles of each of 16 islands, a multiple of 128.
+    ///     (–) of each of 16 islands, a multiple of 128.
     /// seed : int
-    ///     (–) seed of the random numbers; the same seed gives the same bits.
+    ///     (–) of the random numbers; the same seed gives the same bits.
     /// prior : {"field", "serious-injury", "flat"}, optional
-    ///     The severity before the evidence, in place of that of the case.
+    ///     What is taken before the evidence, in place of what the case says.
     /// pieces : bool
-    ///     Whether to evaluate each piece of evidence on its own, which takes most of the time.
+    ///     Whether to ask what each piece of evidence says alone, which takes most of the time.
     /// above : sequence of str
-    ///     Questions such as ``"vehicle1.speed 50 km/h"``: the probability that the result is above.
+    ///     Questions such as ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above?
     /// threads : int, optional
-    ///     By default one for each processor. The bits do not depend on it.
+    ///     Without it one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -612,11 +612,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an impossible number, prior or question.
+    ///     For a number, a prior or a question that cannot be.
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -646,8 +646,8 @@ impl PyCase {
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
-    /// What the event data recorders show on their own: the speed at impact with its error, the distance
-    /// travelled between samples, the pulse.
+    /// What the event data recorders say alone: the speed at impact with its error, the distance travelled
+    /// between samples, the pulse.
     ///
     /// Returns
     /// -------
@@ -672,18 +672,18 @@ impl PyCase {
         self.asked(py, Request::Recorder, None)
     }
 
-    /// Whether the collision was avoidable: at the limit, with a timely reaction, with full braking.
+    /// Whether the collision was avoidable: at the limit, with a reaction in time, with full braking.
     ///
     /// Parameters
     /// ----------
     /// samples : int
-    ///     (–) number of samples, where numbers of the case are ranges.
+    ///     (–) where numbers of the case are ranges.
     /// seed : int
-    ///     (–) seed of the random numbers; the same seed gives the same bits.
+    ///     (–) of the random numbers; the same seed gives the same bits.
     /// exact : bool
     ///     Take the speed of the exact solution, even if there is more evidence.
     /// threads : int, optional
-    ///     By default one for each processor. The bits do not depend on it.
+    ///     Without it one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -694,11 +694,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an impossible number.
+    ///     For a number that cannot be.
     /// CaseError
     ///     Where the case lacks what it needs, such as a reaction time; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------
@@ -736,9 +736,9 @@ impl PyCase {
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
     ///     What to draw.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     /// plain : bool
-    ///     Scene and motion for readers who are not engineers; without speeds where only ``estimate()`` has
+    ///     Scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has
     ///     them.
     ///
     /// Returns
@@ -748,11 +748,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown drawing.
+    ///     For a drawing that there is not.
     /// CaseError
-    ///     If the case lacks what the method needs; the text says what.
+    ///     Where the case lacks what it needs; the text says what.
     /// NoAnswerError
-    ///     If no such collision is possible.
+    ///     Where no collision can be like it.
     ///
     /// Examples
     /// --------

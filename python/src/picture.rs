@@ -57,7 +57,7 @@ pub(crate) fn image(drawing: &report::Drawing) -> String {
 
 #[pymethods]
 impl Picture {
-    /// Its title.
+    /// What it is headed with.
     #[getter]
     fn title(&self) -> &str {
         self.drawing.title()
@@ -121,9 +121,9 @@ impl Picture {
     /// Raises
     /// ------
     /// ValueError
-    ///     For any other ending.
+    ///     For another ending.
     /// OSError
-    ///     If the file cannot be written.
+    ///     Where the file cannot be written.
     ///
     /// Examples
     /// --------

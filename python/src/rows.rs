@@ -164,11 +164,11 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 ///     What all rows share: a case, or a part of a case file as a text, a dict or a path. A text that ends in
 ///     ``.toml`` is a path.
 /// samples : int, optional
-///     (–) samples per row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
 /// seed : int
-///     (–) seed of the random numbers of every row without its own in a column ``seed``.
+///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// threads : int, optional
-///     By default one for each processor. The bits do not depend on it.
+///     Without it one for each processor. The bits do not depend on it.
 ///
 /// Returns
 /// -------
@@ -179,9 +179,9 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 /// Raises
 /// ------
 /// CaseError
-///     If the template is wrong.
+///     Where the template is wrong.
 /// ValueError
-///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -211,15 +211,15 @@ pub(crate) fn reconstruct_table(
 /// Parameters
 /// ----------
 /// table
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// samples : int, optional
-///     (–) samples per row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
 /// seed : int
-///     (–) seed of the random numbers of every row without its own in a column ``seed``.
+///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// threads : int, optional
-///     By default one for each processor. The bits do not depend on it.
+///     Without it one for each processor. The bits do not depend on it.
 ///
 /// Returns
 /// -------
@@ -230,9 +230,9 @@ pub(crate) fn reconstruct_table(
 /// Raises
 /// ------
 /// CaseError
-///     If the template is wrong.
+///     Where the template is wrong.
 /// ValueError
-///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -260,11 +260,11 @@ pub(crate) fn impact_table(
 /// Parameters
 /// ----------
 /// table
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// threads : int, optional
-///     By default one for each processor. The bits do not depend on it.
+///     Without it one for each processor. The bits do not depend on it.
 ///
 /// Returns
 /// -------
@@ -275,9 +275,9 @@ pub(crate) fn impact_table(
 /// Raises
 /// ------
 /// CaseError
-///     If the template is wrong.
+///     Where the template is wrong.
 /// ValueError
-///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -303,17 +303,17 @@ pub(crate) fn crush_table(
 /// Parameters
 /// ----------
 /// table
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// particles : int
-///     (–) particles of each of 16 islands, a multiple of 128.
+///     (–) of each of 16 islands, a multiple of 128.
 /// seed : int
-///     (–) seed of the random numbers of every row without its own in a column ``seed``.
+///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// prior : {"field", "serious-injury", "flat"}, optional
-///     The severity before the evidence, in place of that of the rows.
+///     What is taken before the evidence, in place of what the rows say.
 /// threads : int, optional
-///     By default one for each processor. The bits do not depend on it.
+///     Without it one for each processor. The bits do not depend on it.
 ///
 /// Returns
 /// -------
@@ -324,9 +324,9 @@ pub(crate) fn crush_table(
 /// Raises
 /// ------
 /// CaseError
-///     If the template is wrong.
+///     Where the template is wrong.
 /// ValueError
-///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -354,39 +354,39 @@ pub(crate) fn estimate_table(
     solve(py, Job::Estimate, table, template, (options, threads))
 }
 
-/// Solves the rows of a table as they are read, and so in constant memory: for a table that does not fit
-/// into memory, or results that another program reads.
+/// Solves the rows of a table as they are read, and so in flat memory: for a table that does not fit into
+/// it, or one that another program reads on.
 ///
 /// Parameters
 /// ----------
 /// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
-///     The command for each row.
+///     What is asked of each row.
 /// table
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     As for ``reconstruct_table``.
+///     As of ``reconstruct_table``.
 /// samples : int, optional
-///     (–) samples per row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
 /// particles : int
-///     (–) particles of each of 16 islands, a multiple of 128.
+///     (–) of each of 16 islands, a multiple of 128.
 /// seed : int
-///     (–) seed of the random numbers of every row without its own in a column ``seed``.
+///     (–) of the random numbers of every row that has none in a column ``seed``.
 /// prior : {"field", "serious-injury", "flat"}, optional
-///     The severity before the evidence, in place of that of the rows.
+///     What is taken before the evidence, in place of what the rows say.
 /// threads : int, optional
-///     By default one for each processor. The bits do not depend on it.
+///     Without it one for each processor. The bits do not depend on it.
 ///
 /// Returns
 /// -------
 /// RowStream
-///     It can be read once. The column ``error`` says what is wrong with a row.
+///     It can be read once. A row that is wrong says so in ``error``.
 ///
 /// Raises
 /// ------
 /// CaseError
-///     If the template is wrong.
+///     Where the template is wrong.
 /// ValueError
-///     If the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -449,15 +449,15 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
     PySchema(Arc::new(tables::case_schema(numbers)))
 }
 
-/// The schema of the results of a table, which Spark and others need before there are data. Columns that
+/// The schema of the results of a table, which Spark and others ask for before there are data. Columns that
 /// are carried over come before these.
 ///
 /// Parameters
 /// ----------
 /// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
-///     The command for each row.
+///     What is asked of each row.
 /// samples : int, optional
-///     (–) as for the table; with it there are columns of intervals.
+///     (–) as of the table; with it there are columns of intervals.
 ///
 /// Returns
 /// -------
@@ -467,7 +467,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 /// Raises
 /// ------
 /// ValueError
-///     For an unknown job.
+///     For a job that there is not.
 ///
 /// Examples
 /// --------

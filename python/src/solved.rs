@@ -172,12 +172,12 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
     }
 }
 
-/// An answer of a case.
+/// What a case answers.
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
 /// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all.
-/// A key that is not a name is read as in a dict: ``result.outputs["vehicle1.speed"].interval95``.
-/// ``result.program.version`` and ``result.case.sha256`` say what is needed to reproduce it.
+/// A key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
+/// ``result.program.version`` and ``result.case.sha256`` say what it takes to get it again.
 ///
 /// Examples
 /// --------
@@ -253,7 +253,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -262,7 +262,7 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For unknown units.
+    ///     For units that there are not.
     ///
     /// Examples
     /// --------
@@ -280,7 +280,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -289,9 +289,9 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For unknown units.
+    ///     For units that there are not.
     /// CaseError
-    ///     If the site plan that the case names cannot be read.
+    ///     Where the site plan that the case names cannot be read.
     ///
     /// Examples
     /// --------
@@ -308,7 +308,7 @@ impl PyAnswered {
     /// Parameters
     /// ----------
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -317,9 +317,9 @@ impl PyAnswered {
     /// Raises
     /// ------
     /// ValueError
-    ///     For unknown units.
+    ///     For units that there are not.
     /// CaseError
-    ///     If the site plan that the case names cannot be read.
+    ///     Where the site plan that the case names cannot be read.
     ///
     /// Examples
     /// --------
@@ -484,11 +484,11 @@ impl PyAnalysis {
     /// Parameters
     /// ----------
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
-    ///     What to draw; by default the drawing that shows most.
+    ///     What to draw; without it what shows most.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     /// plain : bool
-    ///     Scene and motion for readers who are not engineers.
+    ///     Scene and motion for readers who are no engineers.
     ///
     /// Returns
     /// -------
@@ -497,9 +497,9 @@ impl PyAnalysis {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown drawing.
+    ///     For a drawing that there is not.
     /// NoAnswerError
-    ///     If the analysis has nothing to draw of this kind.
+    ///     Where the analysis has nothing of what is to be drawn.
     ///
     /// Examples
     /// --------
@@ -528,7 +528,7 @@ impl PyAnalysis {
     }
 }
 
-/// The answer of ``check`` of a case.
+/// What ``check`` of a case answers.
 ///
 /// Examples
 /// --------
@@ -538,7 +538,7 @@ impl PyAnalysis {
 #[pyclass(name = "Judgement", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyJudgement;
 
-/// The answer of ``compare`` of a case.
+/// What ``compare`` of a case answers.
 ///
 /// Examples
 /// --------
@@ -548,7 +548,7 @@ pub(crate) struct PyJudgement;
 #[pyclass(name = "Comparison", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyComparison;
 
-/// The answer of ``sensitivity`` of a case.
+/// What ``sensitivity`` of a case answers.
 ///
 /// Examples
 /// --------
@@ -558,7 +558,7 @@ pub(crate) struct PyComparison;
 #[pyclass(name = "Sensitivity", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PySensitivity;
 
-/// The answer of ``uncertainty`` of a case.
+/// What ``uncertainty`` of a case answers.
 ///
 /// Examples
 /// --------
@@ -586,14 +586,14 @@ impl PyUncertainty {
         slf.as_super().get().columns(slf.py())
     }
 
-    /// Draws the histogram of an output.
+    /// Draws how often the values of an output are.
     ///
     /// Parameters
     /// ----------
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -602,9 +602,9 @@ impl PyUncertainty {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown output.
+    ///     For an output that there is not.
     /// NoAnswerError
-    ///     If the output does not vary.
+    ///     Where the output does not vary.
     ///
     /// Examples
     /// --------
@@ -615,14 +615,14 @@ impl PyUncertainty {
         spread(slf, ("histogram", output), units, report::histogram)
     }
 
-    /// Draws the effect of each input alone on an output, the greatest first.
+    /// Draws what each input alone does to an output, the most influential first.
     ///
     /// Parameters
     /// ----------
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -631,9 +631,9 @@ impl PyUncertainty {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown output.
+    ///     For an output that there is not.
     /// NoAnswerError
-    ///     If the output does not vary.
+    ///     Where the output does not vary.
     ///
     /// Examples
     /// --------
@@ -683,7 +683,7 @@ fn drawn(
     Picture::new(source, drawing, method, &options)
 }
 
-/// The answer of ``estimate`` of a case.
+/// What ``estimate`` of a case answers.
 ///
 /// Examples
 /// --------
@@ -705,8 +705,8 @@ impl PyEstimate {
     ///
     /// Raises
     /// ------
-    /// NoAnswerError
-    ///     If the run has not converged.
+    /// ``NoAnswerError``
+    ///     Where the run has not converged.
     ///
     /// Examples
     /// --------
@@ -716,14 +716,14 @@ impl PyEstimate {
         slf.as_super().get().columns(slf.py())
     }
 
-    /// Draws the probability density of an output, before and after the evidence.
+    /// Draws how probable the values of an output are, before and after the evidence.
     ///
     /// Parameters
     /// ----------
     /// output : str
     ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -732,9 +732,9 @@ impl PyEstimate {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown output.
+    ///     For an output that there is not.
     /// NoAnswerError
-    ///     If there is no density to draw.
+    ///     Where there is no density to draw.
     ///
     /// Examples
     /// --------
@@ -781,7 +781,7 @@ impl PyAvoidance {
     ///     Every run against time; the probability against the speed; both before the impact, seen from
     ///     above, and what obstacles hide.
     /// units : {"si", "us", "uk"}, optional
-    ///     By default those that most of the case uses.
+    ///     Without it those that most of the case uses.
     ///
     /// Returns
     /// -------
@@ -790,9 +790,9 @@ impl PyAvoidance {
     /// Raises
     /// ------
     /// ValueError
-    ///     For an unknown drawing.
+    ///     For a drawing that there is not.
     /// NoAnswerError
-    ///     If the case has nothing to draw of this kind.
+    ///     Where the case has nothing of what is to be drawn.
     ///
     /// Examples
     /// --------

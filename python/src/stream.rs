@@ -92,14 +92,14 @@ pub(crate) fn as_stream<'py>(
     Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
 }
 
-/// The results of a table, computed as they are read: in order, once, in constant memory.
+/// The results of a table that are computed as they are read: in order, once, in flat memory.
 ///
-/// Any reader of Arrow streams takes it, such as ``pyarrow.RecordBatchReader.from_stream(stream)``.
+/// Whatever reads Arrow's streams takes it, such as ``pyarrow.RecordBatchReader.from_stream(stream)``.
 ///
 /// Raises
 /// ------
 /// ValueError
-///     If it is read a second time.
+///     For whoever reads it a second time.
 ///
 /// Examples
 /// --------

@@ -1,4 +1,4 @@
-"""The exceptions of the package, in addition to those of Python itself."""
+"""What is raised, besides the errors of Python itself."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,9 +10,9 @@ class Problem(NamedTuple):
     Parameters
     ----------
     key : str or None
-        The key concerned, such as ``vehicle1.crush.width``; None for the case as a whole.
+        The key that it is about, such as ``vehicle1.crush.width``; None of the case as a whole.
     line : int or None
-        Its line in ``Case.text``, from 1 on; None if it is not in the text.
+        Its line in ``Case.text``, from 1 on; None of what stands in no text.
     column : int or None
         Its column, from 1 on.
     message : str
@@ -30,9 +30,9 @@ class Problem(NamedTuple):
     """
 
     key: str | None
-    """The key concerned, such as ``vehicle1.crush.width``; None for the case as a whole."""
+    """The key that it is about, such as ``vehicle1.crush.width``; None of the case as a whole."""
     line: int | None
-    """Its line in ``Case.text``, from 1 on; None if it is not in the text."""
+    """Its line in ``Case.text``, from 1 on; None of what stands in no text."""
     column: int | None
     """Its column, from 1 on."""
     message: str
@@ -44,7 +44,7 @@ class Problem(NamedTuple):
 class CaseError(ValueError):
     """The case is wrong, or lacks what the method needs.
 
-    The text points at each place; ``problems`` has the same information as data.
+    The text points at each place; ``problems`` has the same as data.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class CaseError(ValueError):
 
 
 class NoAnswerError(ValueError):
-    """The case is well formed, but has no answer: no such collision is possible.
+    """The case is well formed, but has no answer: no collision can be like it.
 
     Examples
     --------

@@ -6,19 +6,19 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, Union, get_args, get_or
 
 
 class Record(Mapping[str, Any]):
-    """A part of a result: its keys are attributes, and it works as a dict. It cannot be changed.
+    """A part of a result: its keys are attributes, and it reads as a dict. It cannot be changed.
 
-    Its class in ``pydeltav.results`` lists the keys, with their units.
+    What keys a part has, in which units, its class in ``pydeltav.results`` tells.
 
     Parameters
     ----------
     entries : Mapping[str, Any]
-        The keys and their values: a part of ``result.to_dict()``.
+        The keys and what stands there: a part of ``result.to_dict()``.
 
     Raises
     ------
     AttributeError
-        For a key that does not exist, and if one is set.
+        For a key that is not there, and for whoever sets one.
 
     Examples
     --------
@@ -79,7 +79,7 @@ class Keyed(Record, Generic[_Part]):
     Parameters
     ----------
     entries : Mapping[str, Any]
-        The keys and their values.
+        The keys and what stands there.
     of : type
         The class of each part.
 

@@ -1,9 +1,9 @@
 """Real crashes with a recorder: from NHTSA's tables to pairs of vehicles, and from these to ΔV with intervals.
 
 The Crash Investigation Sampling System (CISS) of the U.S. National Highway Traffic Safety Administration publishes
-a folder of tables a year, as SAS files and as CSV. ``pairs`` makes one table from it, of the crashes that ``judge``
-compares with their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
-table from the same CSV files; the rules are in the engine.
+a folder of tables a year, as SAS files and as CSV. ``pairs`` makes of it one table of the crashes that ``judge``
+holds against their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
+table of the same CSV files; the rules are in the engine.
 
 >>> pairs = pydeltav.ciss.pairs(folder)
 >>> pairs
@@ -44,14 +44,14 @@ class Pairs(Sequence[_Row]):
 
     It speaks Arrow: ``polars.DataFrame(pairs)``, ``pyarrow.table(pairs)`` and
     ``pandas.DataFrame.from_arrow(pairs)`` take it as it is. ``save`` writes what ``deltav validate --field`` reads.
-    ``left_out`` says how many pairs of the tables are not included, and why.
+    ``left_out`` says how many pairs the tables have that are not here, and why.
 
     Parameters
     ----------
     rows : iterable of Mapping
-        One pair each, with NHTSA's names and units: cm, kg, km/h and degrees.
+        A pair each, with NHTSA's names and units: cm, kg, km/h and degrees.
     left_out : Mapping, optional
-        Numbers of pairs that are left out, by reason.
+        Numbers of pairs that are left out, by why.
 
     Examples
     --------
@@ -97,7 +97,7 @@ class Pairs(Sequence[_Row]):
         Raises
         ------
         OSError
-            If it cannot be written.
+            Where it cannot be written.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Pairs(Sequence[_Row]):
 class Coverage(_Coverage, Record):
     """How often intervals of ΔV contain what recorders stored: the document of ``deltav validate --field``.
 
-    Its keys are attributes, in SI units: ``judged`` has one entry per vehicle, with ``recorder``, ``median`` and
+    Its keys are attributes, in SI units: ``judged`` has a vehicle an entry, with ``recorder``, ``median`` and
     ``interval95``; ``groups`` has figures by kind of collision, ``groups["all"].coverage["95"]`` among them.
     ``judge`` makes it.
 
@@ -177,7 +177,7 @@ class Coverage(_Coverage, Record):
         Raises
         ------
         ValueError
-            For an unknown drawing.
+            For a drawing that there is not.
 
         Examples
         --------
@@ -200,11 +200,11 @@ class Coverage(_Coverage, Record):
 
 
 def pairs(source: str | os.PathLike[str]) -> Pairs:
-    """Makes pairs of vehicles from NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
+    """Makes pairs of vehicles of NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
 
     It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``), CSV first where there
-    are both; upper and lower case of names do not matter. A pair is two vehicles with damage by one event that
-    are coded as having struck each other (OBJCONT), in the order of crash, event and vehicle. It is kept where
+    are both; upper and lower case of names do not matter. A pair are two vehicles with damage by one event that
+    each name the other as what they struck (OBJCONT), in the order of crash, event and vehicle. It is kept where
     the damage of both is on front, back, left or right with all of C1 to C6, a length and a PDOF, where both have
     a curb weight, and where a recorder of one has a ΔV of this event (CDCEVENT): of several records the one with
     the largest. ``Pairs.left_out`` counts the others. NHTSA's codes for
@@ -265,8 +265,8 @@ def read(path: str | os.PathLike[str]) -> Pairs:
 def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) -> Case:
     """Makes a case of a pair, with both speeds unknown: for ``estimate()``, or to be looked at and changed.
 
-    What it says about the collision is what ``judge`` assumes about it: ``docs/calibration.md`` has the model. No
-    recorder is evidence, so that ΔV can be compared with it; with ``recorder=2`` that of vehicle 2 is.
+    What it says of the collision is what ``judge`` assumes of it: ``docs/calibration.md`` has the model. No
+    recorder is evidence, so that ΔV can be held against it; with ``recorder=2`` that of vehicle 2 is.
 
     Parameters
     ----------
@@ -348,10 +348,10 @@ def judge(
     seed: int = 1,
     threads: int | None = None,
 ) -> Coverage:
-    """Estimates the ΔV of each vehicle with a recorder from everything except that recorder, and compares them.
+    """Estimates the ΔV of each vehicle with a recorder from all but that recorder, and holds it against it.
 
-    It is ``deltav validate --field``, with the same bits. An interval is for the value that the recorder is expected to
-    store, including its own error; ``other=True`` uses the recorder of one vehicle and judges the other. A vehicle
+    It is ``deltav validate --field``, with the same bits. An interval is of what the recorder is expected to
+    store, with its own error; ``other=True`` gives the recorder of one vehicle and judges the other. A vehicle
     takes some hundred milliseconds; 128 particles are those of the program.
 
     Parameters
@@ -364,11 +364,11 @@ def judge(
         How severe such crashes are before the evidence: as those after which a vehicle was towed, or as those
         of them in which somebody was seriously hurt, as in CIREN.
     particles : int
-        (–) particles of each of 16 islands, a multiple of 128.
+        (–) of each of 16 islands, a multiple of 128.
     seed : int
-        (–) seed of the random numbers; the same seed gives the same bits.
+        (–) of the random numbers; the same seed gives the same bits.
     threads : int, optional
-        By default one for each processor. The bits do not depend on it.
+        Without it one for each processor. The bits do not depend on it.
 
     Returns
     -------

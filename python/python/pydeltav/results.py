@@ -1,9 +1,9 @@
 """What results hold: the classes of their parts, for type checkers, editors and annotations.
 
-The attributes are the keys of the program's JSON document, in SI units and radians; each description begins with the
-unit. A pair holds the values of vehicle 1 and vehicle 2, or x and y of a vector, as stated. ``None`` is a value that is
-not known or not defined. An attribute that does not apply is absent: asking for it raises ``AttributeError``, and
-``"pdof" in part`` tests for it. Signs are those of ``axes``.
+The attributes are the keys of the program's JSON document, in SI units and radians; the unit is in front of what each
+says. A pair is of vehicle 1 and vehicle 2, or x and y of a vector, as stated. ``None`` is what is not known or not
+defined. An attribute that does not apply is absent: access to it raises ``AttributeError``, and ``"pdof" in part``
+shows whether it is there. Signs are those of ``axes``.
 
 Where the type depends on what the case asks for, it says ``| Any``, so that no check is needed in front of
 ``result.found.value``.
@@ -162,7 +162,7 @@ class HeadlineVehicle(Record):
 
 
 class Headline(Record):
-    """The answer of a reconstruction, and how it was found."""
+    """The answer of a reconstruction, and how it was obtained."""
 
     by: str
     """``"exact"``, or ``"none"`` where the case has more evidence than an exact solution uses: ask ``estimate()``."""
@@ -175,7 +175,7 @@ class Headline(Record):
 
 
 class Check(Record):
-    """A comparison of two values of the same quantity, from different sources."""
+    """A consistency check: two values of the same quantity, compared."""
 
     code: str
     """What is checked, in a word."""
@@ -227,7 +227,7 @@ class Combination(Record):
     yaw_rates: _MaybePair
     """(rad/s) yaw rates of both vehicles after the impact."""
     turns: _MaybePair
-    """(rad) turns of both vehicles on the path to rest; None for one that is not followed."""
+    """(rad) of both on the path to rest; None for one that is not followed."""
     misfit: float
     """(–) χ² of the values that the speeds imply against those known from elsewhere."""
     weight: float
@@ -244,7 +244,7 @@ class Momentum(Record):
     impulse: _Pair
     """(N s) x and y, on vehicle 1."""
     disagreement: float
-    """(N s) difference of the impulses that follow from the two vehicles."""
+    """(N s) difference between the impulses by the two vehicles."""
     restitution: float | None
     """(–) restitution at the contact point."""
     cg_closing_speed: float
@@ -277,7 +277,7 @@ class Impact(Record):
     law: str
     """The impact law, where one gave the speeds after the impact."""
     regime: str
-    """Whether the contact slid, stuck or reversed, where the law determines it."""
+    """Whether the contact slid, stuck or turned around, if the law determines it."""
     restitution: float | None
     """(–) None where vehicles do not close by momentum."""
     impulse_ratio: float | None
@@ -317,12 +317,12 @@ class Impact(Record):
 
 
 class LawCheck(Record):
-    """The answer of the impact law for the speeds that momentum gave."""
+    """What the impact law gives at the speeds that momentum gave."""
 
     law: str
     """The impact law."""
     regime: str
-    """Whether the contact slid, stuck or reversed, where the law determines it."""
+    """Whether the contact slid, stuck or turned around, if the law determines it."""
     restitution: float
     """(–) restitution of the law."""
     energy_loss: float
@@ -359,7 +359,7 @@ class Start(Record):
     """How a vehicle left the impact."""
 
     source: str
-    """Its source: ``"impact"``, ``"given"``, ``"rest"`` or ``"straight rest"``."""
+    """How it is known: ``"impact"``, ``"given"``, ``"rest"`` or ``"straight rest"``."""
     speed: float
     """(m/s) speed of its centre of gravity."""
     direction: float
@@ -380,11 +380,11 @@ class Rest(Record):
     time: float
     """(s) after the impact."""
     distance: float
-    """(m) length of the path."""
+    """(m) of the path."""
 
 
 class Moment(Record):
-    """An instant of the path to rest."""
+    """A moment on the path to rest."""
 
     time: float
     """(s) after the impact."""
@@ -410,7 +410,7 @@ class Passed(Record):
     miss: float
     """(m) distance of the path from the point."""
     turned: float
-    """(rad) difference of the heading there from that of the case, where the case gives one."""
+    """(rad) difference of the heading there from that of the case, where it gives one."""
 
 
 class Vehicle(Record):
@@ -525,7 +525,7 @@ class _Document:
 
 class _Analysis(_Document):
     headline: Headline
-    """The answer of a reconstruction, and how it was found."""
+    """The answer of a reconstruction, and how it was obtained."""
     left_aside: tuple[str, ...]
     """Keys of evidence that the numbers do not use, where there are any."""
     energy_basis: str
@@ -535,15 +535,15 @@ class _Analysis(_Document):
     warnings: tuple[CaseWarning, ...]
     """What speaks against the answer."""
     checks: tuple[Check, ...]
-    """Comparisons of values of the same quantity from different sources."""
+    """The consistency checks."""
     found: Found | Any
     """The speed that was sought; where both were sought, a tuple of two ``Found``."""
     momentum: Momentum
-    """The answer by momentum, where the case gives how the vehicles left the impact."""
+    """What follows from momentum, where the case gives how the vehicles left the impact."""
     impact: Impact
     """What the impact did, where there are speeds."""
     law_check: LawCheck
-    """The answer of the impact law for the speeds that momentum gave."""
+    """What the impact law gives at the speeds that momentum gave."""
     vehicle1: Vehicle
     """Vehicle 1."""
     vehicle2: Vehicle
@@ -601,17 +601,17 @@ class Choice(Record):
 
 
 class Assumption(Record):
-    """What is assumed where the case says nothing."""
+    """What is assumed where the case gives nothing."""
 
     key: str
-    """The key that would set it."""
+    """The key that would give it."""
     message: str
     """What is assumed, in words."""
 
 
 class _Judgement(_Document):
     commands: tuple[AbilityOf, ...]
-    """What the case can be asked."""
+    """Which questions the case can answer."""
     answers_most: str | None
     """The command that makes the fullest use of what the case has."""
     inputs: tuple[Input, ...]
@@ -619,9 +619,9 @@ class _Judgement(_Document):
     choices: tuple[Choice, ...]
     """The choices of the case."""
     assumptions: tuple[Assumption, ...]
-    """What is assumed where the case says nothing."""
+    """What is assumed where the case gives nothing."""
     warnings: tuple[CaseWarning, ...]
-    """What the case warns of."""
+    """The warnings on the case."""
 
 
 # compare()
@@ -635,7 +635,7 @@ class LawAnswer(Record):
     coefficients: str
     """Its coefficients, in words."""
     assumed: str
-    """Its assumptions that the case does not give, in words."""
+    """What it assumes that the case does not give, in words."""
     friction: _Pair
     """(–) CRASH3's friction limits of both vehicles."""
     found: float
@@ -722,7 +722,7 @@ class Derivative(Record):
     input: str
     """The key of the case."""
     name: str
-    """A name in words, for an input that is not a key of the file."""
+    """In words, for an input that is not a key of the file."""
     value: float
     """(SI/SI) the derivative."""
     relative: float
@@ -769,10 +769,10 @@ class _Sensitivity(_Document):
 
 
 class Doubtful(Record):
-    """Samples whose answer would raise a warning in a single case."""
+    """Samples whose answer would cause a warning in a single case."""
 
     code: str
-    """The warning, in a word."""
+    """What the warning is about, in a word."""
     vehicle: int
     """1 or 2, where it is about one vehicle."""
     samples: int
@@ -800,7 +800,7 @@ class UncertainInput(Record):
     input: str
     """Its key."""
     name: str
-    """A name in words, for an input that is not a key of the file."""
+    """In words, for what is not a key of the file."""
     distribution: str
     """``"normal"``, ``"log-normal"``, ``"uniform"`` or ``"triangular"``."""
     central: float
@@ -823,7 +823,7 @@ class TakenAsExact(Record):
     worth: str
     """How well such a number is usually known, in words."""
     source: str
-    """The source of that."""
+    """The source of this."""
 
 
 class OutputErrors(Record):
@@ -897,7 +897,7 @@ class UncertainOutput(Record):
     first_order_sd: float
     """(SI) standard deviation by the derivatives alone."""
     first_order_differs: bool | None
-    """Whether that differs from the standard deviation of the samples."""
+    """Whether that differs from the one of the samples."""
     tornado: tuple[Bar, ...]
     """The effect of each input alone, the greatest first."""
     sensitivity: tuple[Index, ...]
@@ -929,7 +929,7 @@ class _Uncertainty(_Document):
     failed: Keyed[int]
     """(–) numbers of samples without an answer, by reason."""
     doubtful: tuple[Doubtful, ...]
-    """Samples whose answer would raise a warning in a single case."""
+    """Samples whose answer would cause a warning in a single case."""
     inputs: tuple[UncertainInput, ...]
     """The numbers that have a range."""
     taken_as_exact: tuple[TakenAsExact, ...]
@@ -1038,7 +1038,7 @@ class Question(Record):
 
 
 class Piece(Record):
-    """The speeds of both vehicles by a piece of evidence, and without it."""
+    """What a piece of evidence implies for the speeds of both vehicles."""
 
     key: str
     """Its key."""
@@ -1051,7 +1051,7 @@ class Piece(Record):
     adjusted_p_value: float | None
     """(–) the same, adjusted for the number of pieces; the verdict uses this."""
     reversed: bool
-    """Whether it points in the direction opposite to that by the other evidence."""
+    """Whether it points in the opposite direction to the rest."""
     verdict: str | None
     """Whether it agrees with the other evidence."""
 
@@ -1071,7 +1071,7 @@ class CrushError(Record):
 
 
 class Stood(Record):
-    """The probability that a vehicle was standing."""
+    """How probable it is that a vehicle was stationary."""
 
     assumed: float
     """(–) as assumed."""
@@ -1141,7 +1141,7 @@ class _Estimate(_Document):
     doubts: tuple[Doubt, ...]
     """Why it has not."""
     missed: tuple[str, ...]
-    """Keys of evidence that even the collisions that fit best miss: the medians are then no answer."""
+    """Keys of evidence that even the nearest collisions miss: the medians are then not an answer."""
     ess: float
     """(–) the least effective sample size of all numbers."""
     outputs: Keyed[EstimatedOutput]
@@ -1149,13 +1149,13 @@ class _Estimate(_Document):
     questions: tuple[Question, ...]
     """The answers to ``above``."""
     pieces: tuple[Piece, ...]
-    """The answers by each piece of evidence."""
+    """What each piece of evidence implies."""
     crush: tuple[CrushError | None, CrushError | None] | None
-    """How far the crush energies of both vehicles may be off; None where the crush is not evidence."""
+    """How far the crush energies of both may be off; None where the crush is not evidence."""
     tested: Tested | None
-    """The class of real collisions on which such intervals were judged; None where there is no such class."""
+    """The class of real collisions on which such intervals were judged; None if there is no such class."""
     stood: tuple[Stood | None, Stood | None]
-    """The probability that each vehicle was standing; None for one that was not, or whose speed is known."""
+    """How probable it is that each vehicle was stationary; None for one that was not, or whose speed is known."""
     same_twice: tuple[tuple[str, str], ...]
     """Keys of evidence that may be the same observation."""
     unknown: tuple[Unknown, ...]
@@ -1218,7 +1218,7 @@ class Avoidable(Record):
 
 
 class AtLimit(Record):
-    """The collision that remains at the limit, with the reaction and the braking of the inputs."""
+    """The speed that is left at the impact when driving at the limit, with the reaction and the braking of the inputs."""
 
     collision_speed: float
     """(m/s) at the place of the impact; 0 if the vehicle stops before."""
@@ -1230,7 +1230,7 @@ class Influence(Record):
     """How much a number affects the probability."""
 
     input: str
-    """Its key; ``"speed"`` for the speed that follows from the rest of the case."""
+    """Its key; ``"speed"`` for the speed that the rest of the case gives."""
     difference: float
     """(–) the probability if the number is above its median, less that if it is below."""
 
@@ -1297,8 +1297,8 @@ class AvoidanceRun(Record):
 
 
 class Enough(Record):
-    """What would have been enough, in space or, where the case has ``clear``, in time; None where nothing would
-    have been."""
+    """What would have been enough, in space or, where the case has ``clear``, in time; None where no
+    value would have been."""
 
     speed: float
     """(m/s) at most."""
@@ -1350,7 +1350,7 @@ class AvoidanceIntervals(Record):
     temporal_speed: MedianInterval | None
     """(m/s) speed that avoids it in time; None if that is not examined."""
     collision_speed_at_limit: MedianInterval
-    """(m/s) collision speed at the limit."""
+    """(m/s) the speed that is left when driving at the limit."""
     sight: SightIntervals | None
     """None without obstacles."""
 
@@ -1365,7 +1365,7 @@ class AvoidanceAnswer(Record):
     speed_source: str
     """``"avoid"``, ``"vehicle"``, ``"reconstruct"``, ``"estimate"``, ``"phases"`` or ``"recorder"``."""
     limit: float
-    """(m/s) the speed for which avoidability is examined."""
+    """(m/s) the speed limit, or the other speed that is tested."""
     demand: Demand
     """The reaction demand."""
     sight: Sight | None
@@ -1379,7 +1379,7 @@ class AvoidanceAnswer(Record):
     temporal: Avoidable | None
     """In time: the other party has left the danger zone; None if that is not examined."""
     at_limit: AtLimit
-    """The collision that remains at the limit."""
+    """The speed that is left at the impact when driving at the limit."""
     converged: bool
     """Whether the estimate behind the speed has converged; without that there are no probabilities."""
     probability: AvoidanceProbability | None
@@ -1463,7 +1463,7 @@ class JudgedVehicle(Record):
     recorder: float
     """(m/s) ΔV of the recorder."""
     longitudinal: bool
-    """Whether that is only the longitudinal component."""
+    """Whether that is only the longitudinal ΔV."""
     median: float
     """(m/s) median of the estimate."""
     interval50: _Pair
@@ -1500,7 +1500,7 @@ class _Coverage:
     left_out: tuple[LeftOut, ...]
     """Recorders that are left out."""
     judged: tuple[JudgedVehicle, ...]
-    """One entry per vehicle."""
+    """One entry for each vehicle."""
     program: Program
     """The program that judged them."""
     data: JudgedData
