@@ -322,7 +322,7 @@ pub(crate) static TOP: Schema = Schema {
 
 pub(crate) static REPORT: Schema = Schema {
     place: "[report]",
-    text: "The head of the report. What it says of its making; no result depends on it.",
+    text: "The head of the report. Who made it, when, and for which file; no result depends on it.",
     keys: &[
         key("analyst", "analyst = \"J. Doe, P.E.\"", Form::Text, "Analyst. Who made the reconstruction."),
         key("date", "date = \"22 November 2026\"", Form::Text, "Date of the report."),
@@ -357,7 +357,7 @@ pub(crate) static SCENE: Schema = Schema {
             "locked_together",
             "locked_together = true",
             Form::Flag,
-            "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction` in the table `after` of one of them: the other moved with it. A `rest` follows the one vehicle as if nothing hung on it, and `deltav estimate` does not use it. Without a yaw rate, that velocity is the one of their common CG, and momentum tells how they turned.",
+            "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction` in the table `after` of one of them: the other moved with it. With a `rest`, the program follows that vehicle as if nothing were attached to it, and `deltav estimate` does not use it. Without a yaw rate, the velocity is taken as that of their common CG, and momentum gives their yaw rate.",
         ),
     ],
     rules: &[],
@@ -371,7 +371,7 @@ pub(crate) static SITE_PLAN: Schema = Schema {
             "file",
             "file = \"aerial.jpg\"",
             Form::Text,
-            "Name of the picture, a PNG or a JPEG. It is looked for in the folder of the case file, or in a folder within that: `\"pictures/aerial.jpg\"`.",
+            "Name of the picture, a PNG or a JPEG. It must be in the folder of the case file, or in a folder within that: `\"pictures/aerial.jpg\"`.",
         ),
         table("corner", "corner = { x = \"-20 m\", y = \"-15 m\" }", &PLAN_CORNER),
         key(
@@ -404,13 +404,13 @@ pub(crate) static SCENE_CONTACT: Schema = point(
 
 pub(crate) static SURFACE: Schema = Schema {
     place: "[surface]",
-    text: "The ground between impact and rest. Its friction, its slope, and the parts of it that have another friction.",
+    text: "The ground between impact and rest. Its friction, its slope, and the parts with a different friction.",
     keys: &[
         key(
             "friction",
             "friction = 0.7",
             Form::Number(FRICTION),
-            "Coefficient of friction between tyre and ground. A locked wheel is held back by this share of its load.",
+            "Coefficient of friction between tyre and ground. The force that slows a locked wheel, as a share of its load.",
         ),
         table("grade", "grade = { slope = 0.03, uphill = \"90 deg\" }", &GRADE),
         key(
@@ -459,7 +459,7 @@ pub(crate) static SURFACE_ZONE: Schema = Schema {
             "edge",
             "edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }]",
             Form::Tables(&CORNER, 2),
-            "Two places on a straight edge. The zone is all that lies on one `side` of it.",
+            "Two places on a straight edge. The zone is everything on one `side` of it.",
         ),
         key(
             "side",
@@ -606,7 +606,7 @@ pub(crate) static VEHICLE: Schema = Schema {
             "crush",
             "[vehicle1.crush]",
             Form::WordsOrTable(&[UNDAMAGED], &CRUSH),
-            "Damage of the vehicle. A table; or `crush = \"none\"` for a vehicle whose damage took no energy that counts, such as a lorry that a car ran into.",
+            "Damage of the vehicle. A table; or `crush = \"none\"` for a vehicle whose damage took negligible energy, such as a lorry that a car ran into.",
         ),
         table("before", "[vehicle1.before]", &BEFORE),
         table("after", "[vehicle1.after]", &AFTER),
@@ -656,7 +656,7 @@ pub(crate) static NEVER_FIXED: [&str; 19] = [
 
 pub(crate) static POSITION: Schema = point(
     "position = { … } of a vehicle",
-    "Place of the CG at the impact, in the coordinates of the survey. The path to rest begins there, in place of where `contact` of [scene] and that of the vehicle would put it.",
+    "Place of the CG at the impact, in the coordinates of the survey. The path to rest begins there, and not where `contact` of [scene] and that of the vehicle would place the CG.",
     &PLACE,
 );
 
@@ -672,7 +672,7 @@ const STORED: [KeyInfo; 11] = [
         "delta_v_lateral",
         "delta_v_lateral = \"7 km/h\"",
         Form::Exact(Dimension::Speed, ANY),
-        "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. With the part along the vehicle it tells where the force came from.",
+        "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. Together with the part along the vehicle it shows where the force came from.",
     ),
     key(
         "delta_v_error",
@@ -684,19 +684,19 @@ const STORED: [KeyInfo; 11] = [
         "direction_error",
         "direction_error = \"6 deg\"",
         Form::Exact(Dimension::Angle, POSITIVE),
-        "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.3° if left out, 8.0° where a side was hit.",
+        "Error of the direction of the recorded ΔV, which needs both parts. 5.3° if left out, 8.0° where a side was hit.",
     ),
     key(
         "speed",
         "speed = \"55 km/h\"",
         Form::Exact(Dimension::Speed, POSITIVE),
-        "Speed just before the impact. Leave it out for a vehicle that stood, and write `speed = \"0 km/h\"` of the vehicle.",
+        "Speed just before the impact. For a stationary vehicle, leave it out and write `speed = \"0 km/h\"` in the table of the vehicle.",
     ),
     key(
         "speed_error",
         "speed_error = \"4 %\"",
         Form::Percent(POSITIVE),
-        "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; wheels that lock or spin make it larger.",
+        "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; locked or spinning wheels make it larger.",
     ),
     key(
         "yaw_rate",
@@ -716,13 +716,13 @@ const STORED: [KeyInfo; 11] = [
         "incomplete",
         "incomplete = true",
         Form::Flag,
-        "A record that the recorder did not finish. Its report says so; ΔV of it is a lower bound, and an estimate takes it as one. A pulse that ends before the impact does is found without it.",
+        "A record that the recorder did not finish. The recorder's report says so; the ΔV is a lower bound, and an estimate treats it as one. A pulse that ends before the impact does is recognised without this key.",
     ),
 ];
 
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
-    text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what it says alone, `deltav estimate` holds it against the impact, and `deltav avoid` follows it; the other commands warn where it contradicts their answer.",
+    text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what this gives on its own, `deltav estimate` compares it with the impact, and `deltav avoid` follows it; the other commands warn where it contradicts their answer.",
     keys: &[
         STORED[0],
         STORED[1],
@@ -739,13 +739,13 @@ pub(crate) static RECORDER: Schema = Schema {
             "records",
             "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
             Form::Tables(&RECORD, 1),
-            "Several records. In the order of time, in place of the keys of one: `deltav recorder` says which is of the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
+            "Several records. In the order of time, in place of the keys of a single one: `deltav recorder` says which belongs to the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
         ),
         key(
             "other_impacts",
             "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
             Form::Tables(&OTHER_IMPACT, 0),
-            "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says of each record which impact it may belong to.",
+            "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says for each record which impact it may belong to.",
         ),
         table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
         table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
@@ -777,7 +777,7 @@ pub(crate) static KEYS_OF_RECORD: [&str; 11] = [
 
 pub(crate) static OTHER_IMPACT: Schema = Schema {
     place: "[[vehicle1.recorder.other_impacts]] or [[vehicle2.recorder.other_impacts]]",
-    text: "Another impact of the vehicle in the same crash, of which a record may be.",
+    text: "Another impact of the vehicle in the same crash, to which a record may belong.",
     keys: &[
         key(
             "when",
@@ -795,7 +795,7 @@ pub(crate) static OTHER_IMPACT: Schema = Schema {
             "delta_v",
             "delta_v = \"12 km/h\"",
             Form::Exact(Dimension::Speed, POSITIVE),
-            "ΔV of the vehicle. As its damage or what it struck shows.",
+            "ΔV of the vehicle. As its damage or the object that it struck shows.",
         ),
     ],
     rules: &[Rule::OneOf(&[form(&["when", "pdof"], &["delta_v"]), form(&["when", "delta_v"], &["pdof"])])],
@@ -803,13 +803,13 @@ pub(crate) static OTHER_IMPACT: Schema = Schema {
 
 pub(crate) static RECORD: Schema = Schema {
     place: "[[vehicle1.recorder.records]] or [[vehicle2.recorder.records]]",
-    text: "One of several records of a recorder. With the keys of a single one; `at` and `errors` are those of the recorder.",
+    text: "One of several records of a recorder. It has the keys of a single record; `at` and `errors` are those of the recorder.",
     keys: &[
         key(
             "since_previous",
             "since_previous = \"0.8 s\"",
             Form::Exact(Dimension::Time, NOT_NEGATIVE),
-            "Time since the record before it. As the recorder stored it, from one trigger to the next.",
+            "Time since the previous record. As the recorder stored it, from one trigger to the next.",
         ),
         STORED[0],
         STORED[1],
@@ -838,21 +838,21 @@ const RECORDER_FILE: KeyInfo = key(
     "file",
     "file = \"edr.csv\"",
     Form::Text,
-    "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
+    "Name of a file with the table. A CSV or another text; it must be in the folder of the case file, or in a folder within that.",
 );
 const RECORDER_ROWS: KeyInfo = key(
     "rows",
     "rows = \"CASEID 30123, VEHNO 1, EDREVENTNO 2\"",
     Form::Text,
-    "Rows of one record. Of a long table of NHTSA (EDRPRECRASH, EDRPOSTCRASH), which has a row for each value and may hold several records: columns with the value that each has to have.",
+    "Rows of one record. For a long table of NHTSA (EDRPRECRASH, EDRPOSTCRASH), which has a row for each value and may hold several records: columns, each with the value that selects the rows.",
 );
-const RECORDER_TEXT: &str = "Table as text, in three double quotes. Copied from a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.";
+const RECORDER_TEXT: &str = "Table as text, in three double quotes. Copied from a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows how each was read.";
 const RECORDER_TIMES: &str =
     "Times of the samples. All in one text, with their unit at the end; 0 is the impact.";
 
 pub(crate) static PRE_CRASH: Schema = Schema {
     place: "pre_crash = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    text: "Samples before the impact. Speeds over time and, where the recorder has them, brake, ABS and others. From the last of them follow the speed at impact and its error, in place of `speed`.",
+    text: "Samples before the impact. Speeds over time and, where the recorder has them, brake, ABS and others. The speed at impact and its error follow from the last of them, in place of `speed`.",
     keys: &[
         key("text", "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
         RECORDER_FILE,
@@ -862,20 +862,20 @@ pub(crate) static PRE_CRASH: Schema = Schema {
             "speed",
             "speed = \"60 58 47 km/h\"",
             Form::Text,
-            "Stored speeds. In one text with their unit behind them; a value that it does not have is `-`.",
+            "Stored speeds. In one text with their unit after them; write `-` for a missing value.",
         ),
         key("brake", "brake = \"off on on\"", Form::Text, "Service brake. `on` or `off` for each time."),
         key(
             "abs",
             "abs = \"off off on\"",
             Form::Text,
-            "Antilock brakes. `on` where they were at work, for each time.",
+            "Antilock brakes. `on` where they were active, for each time.",
         ),
         key(
             "stability",
             "stability = \"on on on\"",
             Form::Text,
-            "Stability control. `on` where it was at work, for each time.",
+            "Stability control. `on` where it was active, for each time.",
         ),
         key("accelerator", "accelerator = \"12 0 0 %\"", Form::Text, "Accelerator pedal. For each time."),
         key("throttle", "throttle = \"12 0 0 %\"", Form::Text, "Engine throttle. For each time."),
@@ -889,13 +889,13 @@ pub(crate) static PRE_CRASH: Schema = Schema {
             "steering",
             "steering = \"0 -5 -12.5 deg\"",
             Form::Text,
-            "Angle of the steering wheel. For each time, in the sense that the report has.",
+            "Angle of the steering wheel. For each time, with the sign that the report has.",
         ),
         key(
             "yaw_rate",
             "yaw_rate = \"0 -2 -8 deg/s\"",
             Form::Text,
-            "Yaw rate before the impact. For each time, in the sense that the report has.",
+            "Yaw rate before the impact. For each time, with the sign that the report has.",
         ),
     ],
     rules: &[Rule::OneOf(&[
@@ -910,7 +910,7 @@ pub(crate) static PRE_CRASH: Schema = Schema {
 
 pub(crate) static PULSE: Schema = Schema {
     place: "pulse = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    text: "ΔV over time. As the recorder stored it. From it follow ΔV, and whether the record ends before the impact does, in place of `delta_v_longitudinal` and `delta_v_lateral`.",
+    text: "ΔV over time. As the recorder stored it. It gives ΔV, and shows whether the record ends before the impact does, in place of `delta_v_longitudinal` and `delta_v_lateral`.",
     keys: &[
         key(
             "text",
@@ -925,7 +925,7 @@ pub(crate) static PULSE: Schema = Schema {
             "delta_v_longitudinal",
             "delta_v_longitudinal = \"0 -4 -9 km/h\"",
             Form::Text,
-            "ΔV along the vehicle. Until each time, in one text with its unit behind the values; negative where the vehicle was slowed down.",
+            "ΔV along the vehicle. Until each time, in one text with the unit after the values; negative where the vehicle was slowed down.",
         ),
         key(
             "delta_v_lateral",
@@ -944,13 +944,13 @@ pub(crate) static PULSE: Schema = Schema {
 
 pub(crate) static RECORDER_AT: Schema = point(
     "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    "Place of the recorder. From the CG: a recorder away from it stores a ΔV that is that of the CG and that of the rotation; with `yaw_rate`, ΔV of `pulse` is taken to the CG.",
+    "Place of the recorder. From the CG: a recorder away from it stores a ΔV to which the rotation of the vehicle adds; with `yaw_rate`, the ΔV of `pulse` is converted to that of the CG.",
     &from_cg(EXACT_LENGTH, "x = \"-0.3 m\"", "y = \"0 m\""),
 );
 
 pub(crate) static RECORDER_ERRORS: Schema = Schema {
     place: "errors = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    text: "Errors of the speed at impact. Of a stored speed as the speed at impact: each has a default, which `deltav recorder` shows with its source.",
+    text: "Errors of the speed at impact. They say how far a stored speed may be from the speed at impact; each has a default, which `deltav recorder` shows with its source.",
     keys: &[
         key(
             "step",
@@ -962,7 +962,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "steady_low",
             "steady_low = \"1.4 %\"",
             Form::Percent(NOT_NEGATIVE),
-            "How much a speed is too low in steady driving. A share of it, 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.",
+            "By how much a stored speed is too low in steady driving. A share of it, 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.",
         ),
         key(
             "steady_sd",
@@ -974,13 +974,13 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "tyre_sd",
             "tyre_sd = \"0.7 %\"",
             Form::Percent(NOT_NEGATIVE),
-            "Standard deviation by the tyres. Worn or other tyres change a stored speed by a share of it: 0.7 % if left out.",
+            "Standard deviation due to the tyres. Worn or other tyres change a stored speed by a share of it: 0.7 % if left out.",
         ),
         key(
             "slip_low",
             "slip_low = \"3 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
-            "How much a speed is too low in hard braking. The wheels slip: 3 km/h if left out, the mean of the same 18 runs with ABS.",
+            "By how much a stored speed is too low in hard braking. The wheels slip: 3 km/h if left out, the mean of the same 18 runs with ABS.",
         ),
         key(
             "slip_sd",
@@ -1004,7 +1004,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "brake_comes_on",
             "brake_comes_on = \"25 %\"",
             Form::Percent(NOT_NEGATIVE),
-            "Probability that the brake came on in the gap. Off in the last sample, in each half second after it: 25 % if left out.",
+            "Probability that the brake came on in the gap. If it is off in the last sample, for each half second after that: 25 % if left out.",
         ),
         key(
             "latency",
@@ -1016,7 +1016,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "last_is_of_impact",
             "last_is_of_impact = \"50 %\"",
             Form::Percent(NOT_NEGATIVE),
-            "Probability that a steep last speed is of the impact. If it fell by more than g allows, it is that or slip, and the sample before it counts: 50 % if left out.",
+            "Probability that a steep last drop in speed is due to the impact. If the last speed fell by more than g allows, the cause is the impact or slip, and the sample before it counts: 50 % if left out.",
         ),
     ],
     rules: &[],
@@ -1024,7 +1024,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
 
 pub(crate) static CERTAIN_SPEED: Schema = Schema {
     place: "certain_speed = { … } of a vehicle",
-    text: "What is certain of the speed before the impact. `deltav estimate` excludes every other speed.",
+    text: "Certain limits of the speed before the impact. `deltav estimate` excludes every other speed.",
     keys: &[
         key(
             "at_least",
@@ -1044,7 +1044,7 @@ pub(crate) static CERTAIN_SPEED: Schema = Schema {
 
 pub(crate) static ESTIMATE: Schema = Schema {
     place: "[estimate]",
-    text: "What `deltav estimate` assumes before it looks at the evidence. Every key has a default that was fitted on real crashes.",
+    text: "What `deltav estimate` assumes before it looks at the evidence. Every key has a default that was fitted to real crashes.",
     keys: &[
         key(
             "prior",
@@ -1056,25 +1056,25 @@ pub(crate) static ESTIMATE: Schema = Schema {
             "delta_v_median",
             "delta_v_median = \"26 km/h\"",
             Form::Exact(Dimension::Speed, POSITIVE),
-            "Median ΔV before the evidence. Half of such collisions are less severe: it is that of the geometric mean of both ΔV.",
+            "Median ΔV before the evidence. Half of such collisions are less severe. It is the median of the geometric mean of both ΔV.",
         ),
         key(
             "crush_error",
             "crush_error = \"40 %\"",
             Form::Percent(POSITIVE),
-            "Error of crush energies. How far that of both vehicles may be from what the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a class or category, A and B, a barrier test of the car, an EES.",
+            "Error of crush energies. How far that of both vehicles may be from the energy that the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a class or category, A and B, a barrier test of the car, an EES.",
         ),
         key(
             "crush_bias",
             "crush_bias = \"59 %\"",
             Form::Percent(POSITIVE),
-            "What crush shows on average of the energy that the impact took. `\"100 %\"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted on real crashes, and 100 % for everything else.",
+            "Average share of the impact's energy that crush shows. `\"100 %\"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted to real crashes, and 100 % for everything else.",
         ),
         key(
             "rest_error",
             "rest_error = \"10 %\"",
             Form::Percent(POSITIVE),
-            "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both as squares.",
+            "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.",
         ),
         key(
             "rest_least_error",
@@ -1092,7 +1092,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
             "stood",
             "stood = \"20 %\"",
             Form::Percent(NOT_NEGATIVE),
-            "Probability, before the evidence, that a vehicle stood whose speed is unknown. 20 % if left out; from 0 % to less than 50 %. A vehicle that certainly moved has `certain_speed` with `at_least` above 0.",
+            "Probability, before the evidence, that a vehicle of unknown speed was standing. 20 % if left out; from 0 % to less than 50 %. For a vehicle that certainly moved, give `certain_speed` with `at_least` above 0.",
         ),
     ],
     rules: &[],
@@ -1106,19 +1106,19 @@ pub(crate) static AVOID: Schema = Schema {
             "vehicle",
             "vehicle = \"vehicle1\"",
             Form::Words(&words_of(&SUBJECTS)),
-            "Vehicle whose driver is asked about. Vehicle 1 if left out.",
+            "Vehicle whose driver is considered. Vehicle 1 if left out.",
         ),
         key(
             "speed",
             "speed = { value = \"62 km/h\", source = \"recorder\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "Speed of that vehicle at the reaction demand. Without it, the speed at the impact counts, which the table of the vehicle gives or the rest of the case tells; with skid marks before the impact, the speed before them follows.",
+            "Speed of that vehicle at the reaction demand. Without it, the speed at the impact counts, from the table of the vehicle or from the rest of the case; with skid marks before the impact, the speed before them follows.",
         ),
         key(
             "limit",
             "limit = { value = \"50 km/h\", source = \"built-up area\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "Speed for which it is asked. The permitted one, or another that you want to know about.",
+            "Speed for which avoidability is examined. The speed limit, or another speed that is of interest.",
         ),
         key(
             "reaction_time",
@@ -1130,13 +1130,13 @@ pub(crate) static AVOID: Schema = Schema {
             "swell",
             "swell = \"0.2 s\"",
             Form::Sourced(Dimension::Time, NOT_NEGATIVE),
-            "Time in which the brakes take hold, from their first effect to the full deceleration. 0 if left out, which the report says.",
+            "Build-up time of the brakes, from their first effect to the full deceleration. 0 if left out, which the report says.",
         ),
         key(
             "swell_form",
             "swell_form = \"linear\"",
             Form::Words(&words_of(&SWELLS)),
-            "How the deceleration grows in the swell. `\"linear\"` (the default); `\"half\"`: half the full deceleration throughout; `\"full speed\"`: none, as if the swell were part of the reaction. Conventions differ, and the answer with them.",
+            "How the deceleration grows in the swell. `\"linear\"` (the default); `\"half\"`: half the full deceleration throughout; `\"full speed\"`: none, as if the swell were part of the reaction. Conventions differ, and the answer depends on them.",
         ),
         key(
             "deceleration",
@@ -1156,14 +1156,14 @@ pub(crate) static AVOID: Schema = Schema {
             "unbraked",
             "unbraked = true",
             Form::Flag,
-            "Known not to have braked before the impact. Otherwise a vehicle whose `speed` is given here is taken to have reacted and braked as the other keys say, if it then still reaches the place.",
+            "Known not to have braked before the impact. Otherwise a vehicle whose `speed` is given here is assumed to have reacted and braked as the other keys say, provided that it then still reaches the place of the impact.",
         ),
         table("sight", "[avoid.sight]", &AVOID_SIGHT),
         key(
             "obstacle",
             "obstacle = [{ name = \"parked van\", source = \"survey\", polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }, { x = \"-8 m\", y = \"-3.8 m\" }] }]",
             Form::Tables(&OBSTACLE, 0),
-            "What hides the other party, such as a parked van, a house or a hedge. The report then says since when the view was free.",
+            "What hides the other party, such as a parked van, a house or a hedge. The report then says from when on the view was free.",
         ),
     ],
     rules: &[],
@@ -1211,13 +1211,13 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
 
 pub(crate) static SIGHT_PLACE: Schema = point(
     "eye or point of [avoid.sight]",
-    "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin, which needs neither vehicle to have a `position`.",
+    "Place of the driver's eye, or of the first visible part of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin if neither vehicle has a `position`.",
     &PLACE,
 );
 
 pub(crate) static OBSTACLE: Schema = Schema {
     place: "[[avoid.obstacle]]",
-    text: "Something that nobody sees through. It stands still.",
+    text: "Something that blocks the view. It does not move.",
     keys: &[
         key(
             "name",
@@ -1246,12 +1246,7 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
             Form::Sourced(Dimension::Length, POSITIVE),
             "Distance of the vehicle to the place of the impact. Along its path.",
         ),
-        key(
-            "time",
-            "time = \"2.1 s\"",
-            Form::Sourced(Dimension::Time, POSITIVE),
-            "How long before the impact that was.",
-        ),
+        key("time", "time = \"2.1 s\"", Form::Sourced(Dimension::Time, POSITIVE), "Time before the impact."),
         table(
             "other",
             "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }",
@@ -1278,13 +1273,13 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
 
 pub(crate) static AVOID_OTHER: Schema = Schema {
     place: "other = { … } of demand",
-    text: "Way of the other party from the reaction demand to the impact. With `speed` alone, its time is the distance divided by the speed; with `acceleration`, it starts from a stop.",
+    text: "Path of the other party from the reaction demand to the impact. With `speed` alone, its time is the distance divided by the speed; with `acceleration`, it starts from a stop.",
     keys: &[
         key(
             "distance",
             "distance = \"4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
-            "Way of the other party. From where it was recognizable to the place of the impact.",
+            "Distance that the other party covered. From where it was recognizable to the place of the impact.",
         ),
         key(
             "speed",
@@ -1307,25 +1302,25 @@ pub(crate) static AVOID_OTHER: Schema = Schema {
 
 pub(crate) static AVOID_CLEAR: Schema = Schema {
     place: "clear = { … } of [avoid]",
-    text: "Way of the other party out of the danger zone. Give it only if it is certain that the other moved and would not have stopped: whether the vehicle would have come late enough is asked only then.",
+    text: "Path of the other party out of the danger zone. Give it only if it is certain that the other party moved and would not have stopped: only then does the program examine whether the vehicle would have arrived late enough.",
     keys: &[
         key(
             "distance",
             "distance = \"2.4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
-            "Way that it still had to go at the impact. Until it had left the zone, its own length or body included.",
+            "Distance that it still had to go at the impact. Until it has left the zone, its own length or body included.",
         ),
         key(
             "outlines",
             "outlines = true",
             Form::Flag,
-            "That way by the outlines of both vehicles. Until its outline has left the strip that the other one sweeps, each straight along its heading. It takes the place of `distance`, and needs `length`, `width` and `cg_to_front` or `class` of both, their headings, and their contact points or positions.",
+            "That distance, by the outlines of both vehicles. Until its outline has left the strip that the other one sweeps, each straight along its heading. It takes the place of `distance`, and needs `length`, `width` and `cg_to_front` or `class` of both, their headings, and their contact points or positions.",
         ),
         key(
             "speed",
             "speed = \"1.4 m/s\"",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "How fast it would have gone on. If left out, as it came by `other` of `demand`, else with the speed of its vehicle: as its table gives it or, where the speed of the vehicle asked about is to be found, as the evidence tells it. One that stops never clears the zone: leave `clear` out then.",
+            "Speed at which it would have gone on. If left out, it goes on as in `other` of `demand`, or else at the speed of its vehicle: that of its table or, where the speed of the vehicle considered is to be found, that by the evidence. A party that stops never clears the zone: leave `clear` out then.",
         ),
     ],
     rules: &[
@@ -1336,7 +1331,7 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
 
 pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
-    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake; phases say how it moved where there are no marks.",
+    text: "The vehicle before the impact. Its skid marks give the speed at which the driver began to brake; phases say how it moved where there are no marks.",
     keys: &[
         table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
         key(
@@ -1349,7 +1344,7 @@ pub(crate) static BEFORE: Schema = Schema {
             "speed",
             "speed = \"62 km/h\"",
             Form::Quantity(Dimension::Speed, POSITIVE),
-            "Speed where the skid begins, as a recorder, a tachograph or a camera gives it. `deltav estimate` holds it against the impact, its range being its error, 4 % without one; no other command uses it.",
+            "Speed where the skid begins, as a recorder, a tachograph or a camera gives it. `deltav estimate` compares it with the impact. Its range is its error, 4 % without one; no other command uses it.",
         ),
     ],
     rules: &[
@@ -1361,7 +1356,7 @@ pub(crate) static BEFORE: Schema = Schema {
 
 pub(crate) static PHASE: Schema = Schema {
     place: "[[vehicle1.before.phase]] or [[vehicle2.before.phase]]",
-    text: "A stretch of constant acceleration before the impact. Give two of its numbers; the others follow from the speed at its end. If nothing else tells the speed at the impact, the first phase may have `speed` and two more.",
+    text: "A stretch of constant acceleration before the impact. Give two of its numbers; the others follow from the speed at its end. If nothing else gives the speed at the impact, the first phase may have `speed` and two of the others.",
     keys: &[
         key(
             "distance",
@@ -1441,7 +1436,7 @@ pub(crate) static AFTER: Schema = Schema {
             "points",
             "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]",
             Form::Tables(&POINT, 0),
-            "Places where the CG passed, from impact to rest. They tell which of several motions to the same rest it was.",
+            "Places where the CG passed, from impact to rest. They show which of several motions to the same rest took place.",
         ),
         key(
             "speed",
@@ -1467,7 +1462,7 @@ pub(crate) static AFTER: Schema = Schema {
 
 pub(crate) static REST: Schema = Schema {
     place: "rest = { … } of [vehicle1.after] or [vehicle2.after]",
-    text: "Rest of the vehicle: the place of its CG, and how it stands there. Give `heading`, or `turned` if it is known which way and how often it turned.",
+    text: "Rest position of the vehicle: the place of its CG, and its heading there. Give `heading`, or `turned` if it is known which way and how far it turned.",
     keys: &[
         PLACE[0],
         PLACE[1],
@@ -1475,7 +1470,7 @@ pub(crate) static REST: Schema = Schema {
             "heading",
             "heading = \"140 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Heading at rest. The angle of the forward axis from the x axis of the scene, as `heading` of the vehicle; it leaves open which way and how often the vehicle turned.",
+            "Heading at rest. The angle of the forward axis from the x axis of the scene, like `heading` of the vehicle; it does not say which way and how far the vehicle turned.",
         ),
         key(
             "turned",
@@ -1489,7 +1484,7 @@ pub(crate) static REST: Schema = Schema {
 
 pub(crate) static POINT: Schema = Schema {
     place: "a point of the path",
-    text: "A place where the CG passed, or the wheel that is named.",
+    text: "A place that the CG passed, or the wheel that is named.",
     keys: &[
         PLACE[0],
         PLACE[1],
@@ -1497,13 +1492,13 @@ pub(crate) static POINT: Schema = Schema {
             "heading",
             "heading = \"140 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Heading there, where marks tell it. At the end of rotation, from which the vehicle went on without yaw, it is that of the rest.",
+            "Heading there, where marks show it. At the end of rotation, from which the vehicle went on without yaw, it is that of the rest.",
         ),
         key(
             "wheel",
             "wheel = \"front left\"",
             Form::Words(&words_of(&MarkedWheel::WORDS)),
-            "Wheel that passed there, where the place is one of its tyre mark. Without it, the place is one of the CG.",
+            "Wheel that passed there, if the place is on its tyre mark. Without it, the place is one that the CG passed.",
         ),
     ],
     rules: &[Rule::Needs(&["x", "y"])],
@@ -1511,7 +1506,7 @@ pub(crate) static POINT: Schema = Schema {
 
 pub(crate) static STEER: Schema = Schema {
     place: "steer = [{ … }] of [vehicle1.after] or [vehicle2.after]",
-    text: "Steer angle at one time. Between two times it changes evenly; before the first and after the last it is held.",
+    text: "Steer angle at one time. Between two times it changes linearly; before the first and after the last it is constant.",
     keys: &[
         key(
             "time",
@@ -1523,7 +1518,7 @@ pub(crate) static STEER: Schema = Schema {
             "angle",
             "angle = \"5 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Steer angle at that time, signed as `steer`.",
+            "Steer angle at that time, signed like `steer`.",
         ),
     ],
     rules: &[Rule::Needs(&["time", "angle"])],
@@ -1790,7 +1785,7 @@ pub(crate) static SHARED: Schema = Schema {
             "of",
             "of = [\"vehicle1.crush.depths\", \"vehicle1.crush.width\"]",
             Form::Keys(&[]),
-            "The numbers that share the error, by their keys. The key of a list means all of its numbers. A depth that the error takes below zero is zero.",
+            "The numbers that share the error, by their keys. The key of a list means all of its numbers. A depth that the error would make negative is zero.",
         ),
         key(
             "sd",
@@ -2068,7 +2063,7 @@ const RANGE_MODE: KeyInfo = key(
     "mode",
     "{ low = …, mode = …, high = … }",
     Form::Value,
-    "Likeliest value. With `low` and `high`, it makes a triangular distribution.",
+    "Most likely value. With `low` and `high`, it makes a triangular distribution.",
 );
 const RANGE_HIGH: KeyInfo = key(
     "high",

@@ -112,7 +112,7 @@ class Program(Record):
 
 
 class CaseFile(Record):
-    """The case that a result is of."""
+    """The case of a result."""
 
     file: str
     """Its name."""
@@ -121,7 +121,7 @@ class CaseFile(Record):
 
 
 class CaseWarning(Record):
-    """What a careful reconstructionist would be warned of."""
+    """A warning that a careful reconstructionist would want."""
 
     code: str
     """What it is about, in a word."""
@@ -182,9 +182,9 @@ class Check(Record):
     vehicle: int
     """1 or 2, where it is about one vehicle."""
     value: float
-    """(SI) how far the two lie apart."""
+    """(SI) the difference of the two."""
     limit: float
-    """(SI) how far they may."""
+    """(SI) the greatest difference allowed."""
     passed: bool
     """Whether they are within the limit."""
 
@@ -193,11 +193,11 @@ class Iteration(Record):
     """A step of the root finder."""
 
     speed: float
-    """(m/s) that was tried."""
+    """(m/s) the speed that was tried."""
     normal_work: float
-    """(J) of the normal impulse at this speed, where the energy is all of it."""
+    """(J) work of the normal impulse at this speed, where the crush energy is that work alone."""
     crush_work: float
-    """(J) of the normal impulse and a share of that of the tangential one, where the energy is this."""
+    """(J) work of the normal impulse and a share of that of the tangential one, where the crush energy is that sum."""
 
 
 class Found(Record):
@@ -218,18 +218,18 @@ class Found(Record):
 
 
 class Combination(Record):
-    """A start of each vehicle that leads to its rest, and how well the two agree with the impulse."""
+    """A pair of motions, one of each vehicle to its rest, and how well the two agree with the impulse."""
 
     speeds: _Pair
-    """(m/s) of both vehicles along their headings, before the impact."""
+    """(m/s) speeds of both vehicles along their headings, before the impact."""
     velocities: tuple[_Pair, _Pair]
-    """(m/s) x and y of both vehicles after the impact."""
+    """(m/s) velocities of both vehicles after the impact, x and y."""
     yaw_rates: _MaybePair
-    """(rad/s) of both after the impact."""
+    """(rad/s) yaw rates of both vehicles after the impact."""
     turns: _MaybePair
     """(rad) of both on the path to rest; None for one that is not followed."""
     misfit: float
-    """(–) χ² of what the speeds imply against what else is known."""
+    """(–) χ² of the values that the speeds imply against those known from elsewhere."""
     weight: float
     """(–) share of this combination among all."""
     against: tuple[str, ...]
@@ -246,29 +246,29 @@ class Momentum(Record):
     disagreement: float
     """(N s) difference between the impulses by the two vehicles."""
     restitution: float | None
-    """(–) at the contact point."""
+    """(–) restitution at the contact point."""
     cg_closing_speed: float
-    """(m/s) of the centres of gravity towards each other, of point masses."""
+    """(m/s) closing speed of the centres of gravity, for point masses."""
     cg_restitution: float
-    """(–) of the centres of gravity, of point masses."""
+    """(–) restitution of the centres of gravity, for point masses."""
     impulse_ratio: float | None
-    """(–) tangential by normal impulse; not of point masses."""
+    """(–) tangential impulse divided by normal impulse; not for point masses."""
     critical_impulse_ratio: float | None
-    """(–) above which the contact no longer slides; not of point masses."""
+    """(–) impulse ratio that just ends the sliding; not for point masses."""
     energy_loss: float
-    """(J) kinetic energy that the impact takes."""
+    """(J) kinetic energy lost in the impact."""
     normal_work: float
-    """(J) of the normal impulse; not of point masses."""
+    """(J) work of the normal impulse; not for point masses."""
     tangential_work: float
-    """(J) of the tangential impulse; not of point masses."""
+    """(J) work of the tangential impulse; not for point masses."""
     delta_v: _MaybePair
     """(m/s) of both vehicles."""
     pdof: _MaybePair
-    """(rad) of both vehicles, from the front."""
+    """(rad) PDOF of both vehicles, clockwise from the heading."""
     final_yaw_rate: _MaybePair
-    """(rad/s) of both after the impact; not of point masses."""
+    """(rad/s) yaw rates of both vehicles after the impact; not for point masses."""
     combinations: tuple[Combination, ...]
-    """The starts that lead to the rests, the one that is used first."""
+    """The motions that lead to the rest positions, beginning with the one that is used."""
 
 
 class Impact(Record):
@@ -281,39 +281,39 @@ class Impact(Record):
     restitution: float | None
     """(–) None where vehicles do not close by momentum."""
     impulse_ratio: float | None
-    """(–) tangential by normal impulse; not of point masses."""
+    """(–) tangential impulse divided by normal impulse; not for point masses."""
     critical_impulse_ratio: float | None
-    """(–) above which the contact no longer slides; None where no push could end the sliding."""
+    """(–) impulse ratio that just ends the sliding; None where no push could end it."""
     normal_impulse: float
-    """(N s) along the normal; not of point masses."""
+    """(N s) impulse along the normal; not for point masses."""
     tangential_impulse: float
-    """(N s) along the crush plane; not of point masses."""
+    """(N s) impulse along the crush plane; not for point masses."""
     impulse: _Pair
     """(N s) x and y, on vehicle 1."""
     impulse_direction: float
     """(rad) from the x axis."""
     normal: _Pair
-    """(–) x and y of the normal of the crush plane; not of point masses."""
+    """(–) x and y of the normal of the crush plane; not for point masses."""
     closing_speed: float
-    """(m/s) along the normal at the contact point, before the impact."""
+    """(m/s) closing speed along the normal at the contact point, before the impact."""
     normal_velocity: _Pair
-    """(m/s) along the normal before and after the impact; not of point masses."""
+    """(m/s) relative velocity along the normal before and after the impact; not for point masses."""
     tangential_velocity: _Pair
-    """(m/s) along the crush plane before and after the impact; not of point masses."""
+    """(m/s) relative velocity along the crush plane before and after the impact; not for point masses."""
     initial_energy: float
-    """(J) kinetic energy of both before the impact."""
+    """(J) kinetic energy of both vehicles before the impact."""
     final_energy: float
-    """(J) kinetic energy of both after it."""
+    """(J) kinetic energy of both vehicles after it."""
     energy_loss: float
-    """(J) what the impact takes."""
+    """(J) energy lost in the impact."""
     normal_work: float
-    """(J) of the normal impulse; not of point masses."""
+    """(J) work of the normal impulse; not for point masses."""
     tangential_work: float
-    """(J) of the tangential impulse; not of point masses."""
+    """(J) work of the tangential impulse; not for point masses."""
     moment_impulse: float
-    """(N m s) between the vehicles, where the law has one."""
+    """(N m s) moment impulse between the vehicles, where the law has one."""
     moment_work: float
-    """(J) of that moment."""
+    """(J) work of that moment."""
 
 
 class LawCheck(Record):
@@ -324,35 +324,35 @@ class LawCheck(Record):
     regime: str
     """Whether the contact slid, stuck or turned around, if the law determines it."""
     restitution: float
-    """(–) of the law."""
+    """(–) restitution of the law."""
     energy_loss: float
-    """(J) what the impact takes."""
+    """(J) energy lost in the impact."""
     delta_v: _MaybePair
     """(m/s) of both vehicles."""
     delta_v_difference: _MaybePair
-    """(m/s) by how much more than by momentum."""
+    """(m/s) ΔV by the law less ΔV by momentum."""
     final_speed: _MaybePair
-    """(m/s) of both after the impact."""
+    """(m/s) speeds of both vehicles after the impact."""
     final_yaw_rate: _MaybePair
-    """(rad/s) of both after the impact."""
+    """(rad/s) yaw rates of both vehicles after the impact."""
     pdof: _MaybePair
-    """(rad) of both vehicles, from the front."""
+    """(rad) PDOF of both vehicles, clockwise from the heading."""
 
 
 class InferredCrush(Record):
     """A crush that follows from the force on the other vehicle."""
 
     depth: float
-    """(m) of the crush."""
+    """(m) depth of the crush."""
     width: float
-    """(m) of the damage."""
+    """(m) width of the damage."""
 
 
 class Skid(Record):
     """Skid marks before the impact."""
 
     speed: float
-    """(m/s) where they begin."""
+    """(m/s) speed where they begin."""
 
 
 class Start(Record):
@@ -361,22 +361,22 @@ class Start(Record):
     source: str
     """How it is known: ``"impact"``, ``"given"``, ``"rest"`` or ``"straight rest"``."""
     speed: float
-    """(m/s) of its centre of gravity."""
+    """(m/s) speed of its centre of gravity."""
     direction: float
-    """(rad) of its velocity, from the x axis."""
+    """(rad) direction of its velocity, from the x axis."""
     yaw_rate: float
-    """(rad/s) about the vertical."""
+    """(rad/s) yaw rate."""
 
 
 class Rest(Record):
     """Where a vehicle came to rest."""
 
     x: float
-    """(m) of its centre of gravity."""
+    """(m) coordinate of its centre of gravity."""
     y: float
-    """(m) of its centre of gravity."""
+    """(m) coordinate of its centre of gravity."""
     heading: float
-    """(rad) counted on from that at the impact through full turns."""
+    """(rad) heading, counted on from that at the impact, full turns included."""
     time: float
     """(s) after the impact."""
     distance: float
@@ -389,15 +389,15 @@ class Moment(Record):
     time: float
     """(s) after the impact."""
     x: float
-    """(m) of the centre of gravity."""
+    """(m) coordinate of the centre of gravity."""
     y: float
-    """(m) of the centre of gravity."""
+    """(m) coordinate of the centre of gravity."""
     heading: float
-    """(rad) counted on from that at the impact."""
+    """(rad) heading, counted on from that at the impact."""
     velocity: _Pair
-    """(m/s) x and y."""
+    """(m/s) velocity, x and y."""
     yaw_rate: float
-    """(rad/s) about the vertical."""
+    """(rad/s) yaw rate."""
     sliding: tuple[bool, bool, bool, bool]
     """Whether the wheels slide: front left, front right, rear left, rear right."""
 
@@ -408,16 +408,16 @@ class Passed(Record):
     wheel: str
     """The wheel that left the mark, where the case says."""
     miss: float
-    """(m) how far from the point."""
+    """(m) distance of the path from the point."""
     turned: float
     """(rad) difference of the heading there from that of the case, where it gives one."""
 
 
 class Vehicle(Record):
-    """A vehicle, or a fixed object, which has the name alone and ``fixed``."""
+    """A vehicle, or a fixed object, which has only a name and ``fixed``."""
 
     name: str
-    """As the case calls it."""
+    """Its name in the case."""
     fixed: bool
     """True for a fixed object; absent for a vehicle."""
     speed: float
@@ -435,11 +435,11 @@ class Vehicle(Record):
     delta_v: float
     """(m/s) change of its velocity in the impact."""
     delta_v_longitudinal: float
-    """(m/s) that change along its heading, forward."""
+    """(m/s) component of that change along its heading, forward."""
     delta_v_lateral: float
-    """(m/s) that change along its y axis."""
+    """(m/s) component of that change along its y axis."""
     delta_v_vector: _Pair
-    """(m/s) that change, x and y of the scene."""
+    """(m/s) that change as x and y of the scene."""
     pdof: float
     """(rad) principal direction of force, from the front."""
     stiffness_source: str
@@ -447,7 +447,7 @@ class Vehicle(Record):
     crush_source: str
     """How its crush energy is known: ``"measured"``, ``"force balance"``, ``"EES"``, ``"none"`` or ``"object"``."""
     crush_energy: float
-    """(J) that crushed it, by the damage."""
+    """(J) crush energy, by the damage."""
     crush_energy_bounds: _Pair
     """(J) lowest and highest, where its crush was inferred with a range."""
     inferred_crush: InferredCrush
@@ -455,15 +455,15 @@ class Vehicle(Record):
     oblique_angle: float
     """(rad) between the force and the normal of the damaged side."""
     oblique_factor: float
-    """(–) by which an oblique force raises the energy."""
+    """(–) factor by which an oblique force raises the energy."""
     corrected_crush_energy: float
-    """(J) with that factor."""
+    """(J) crush energy with that factor."""
     ees: float
     """(m/s) energy equivalent speed."""
     peak_force: float
-    """(N) of the crush at its end."""
+    """(N) peak force, at maximum crush."""
     no_damage_speed: float
-    """(m/s) up to which its stiffness has no crush."""
+    """(m/s) no-damage speed of its stiffness."""
     skid: Skid
     """Skid marks before the impact, where the case has them."""
     start: Start
@@ -477,16 +477,16 @@ class Vehicle(Record):
 
 
 class Correction(Record):
-    """CRASH3's answer under one correction for oblique forces."""
+    """CRASH3's answer with one correction for oblique forces."""
 
     oblique: str
     """The correction."""
     friction: _MaybePair
-    """(–) the limits of both vehicles, of the friction-limited correction."""
+    """(–) friction limits of both vehicles, for the friction-limited correction."""
     factor: _Pair
-    """(–) on the energies of both vehicles."""
+    """(–) factors on the energies of both vehicles."""
     crush_energy: float
-    """(J) of both vehicles together."""
+    """(J) crush energy of both vehicles together."""
     delta_v: _MaybePair
     """(m/s) of both vehicles."""
 
@@ -495,28 +495,28 @@ class Crash3(Record):
     """CRASH3: ΔV from damage and PDOF alone."""
 
     crush_energy: float
-    """(J) of both vehicles together."""
+    """(J) crush energy of both vehicles together."""
     corrected_crush_energy: float
-    """(J) corrected for oblique forces."""
+    """(J) that energy corrected for oblique forces."""
     moment_arm: _MaybePair
-    """(m) of the force about the centre of gravity of both vehicles."""
+    """(m) moment arm of the force about the centre of gravity, for both vehicles."""
     effective_mass_ratio: _Pair
-    """(–) of both vehicles: the part of the mass that the force has to move."""
+    """(–) effective mass ratio of both vehicles: the share of the mass that the force has to move."""
     delta_v: _MaybePair
     """(m/s) of both vehicles."""
     corrected_delta_v: _MaybePair
-    """(m/s) of both vehicles, corrected for oblique forces."""
+    """(m/s) ΔV of both vehicles, corrected for oblique forces."""
     restitution_factor: float
-    """(–) on ΔV, where the case gives a restitution."""
+    """(–) factor on ΔV, where the case gives a restitution."""
     corrections: tuple[Correction, ...]
-    """The answers under each correction."""
+    """The answers with each correction."""
 
 
 class _Document:
     program: Program
     """The program that made the result."""
     case: CaseFile
-    """The case that it is of."""
+    """The case of the result."""
     title: str
     """The title of the case; empty without one."""
     axes: str
@@ -529,9 +529,9 @@ class _Analysis(_Document):
     left_aside: tuple[str, ...]
     """Keys of evidence that the numbers do not use, where there are any."""
     energy_basis: str
-    """Which part of the energy of the impact the crush takes."""
+    """What the crush energy stands for."""
     tangential_share: float
-    """(–) of the tangential work, where the basis is one."""
+    """(–) share of the tangential work, where the energy basis is such a share."""
     warnings: tuple[CaseWarning, ...]
     """What speaks against the answer."""
     checks: tuple[Check, ...]
@@ -567,7 +567,7 @@ class AbilityOf(Record):
     left_aside: tuple[str, ...]
     """Keys of evidence that its exact answer does not use, where there are any."""
     draws: tuple[str, ...]
-    """Of ``draw``: what can be drawn."""
+    """For ``draw``: what can be drawn."""
 
 
 class Input(Record):
@@ -578,15 +578,15 @@ class Input(Record):
     number: float
     """In the unit of the case."""
     unit: str | None
-    """The unit of the case; None of what has none."""
+    """The unit in the case; None for a number without one."""
     si: float
     """(SI) in ``si_unit``."""
     si_unit: str | None
-    """The unit of SI."""
+    """The SI unit."""
     us: float
     """(US) in ``us_unit``."""
     us_unit: str | None
-    """The unit of the US."""
+    """The US unit."""
     range: str
     """Its range in words, where it has one."""
 
@@ -643,27 +643,27 @@ class LawAnswer(Record):
     speeds: _Pair
     """(m/s) both speeds, where both were sought."""
     regime: str
-    """Whether the contact slid, stuck or turned around."""
+    """Whether the contact slid, stuck or reversed."""
     delta_v: _Pair
     """(m/s) of both vehicles."""
     pdof: _MaybePair
-    """(rad) of both vehicles, from the front; None for a fixed object."""
+    """(rad) PDOF of both vehicles, clockwise from the heading; None for a fixed object."""
     energy_loss: float
-    """(J) what the impact takes."""
+    """(J) energy lost in the impact."""
     normal_share: float
-    """(–) work of the normal impulse by the kinetic energy before."""
+    """(–) work of the normal impulse as a share of the initial kinetic energy."""
     tangential_share: float
-    """(–) work of the tangential impulse by the kinetic energy before."""
+    """(–) work of the tangential impulse as a share of the initial kinetic energy."""
     moment_share: float
-    """(–) work of the moment by the kinetic energy before, of a law that has one."""
+    """(–) work of the moment as a share of the initial kinetic energy, for a law that has one."""
     final_yaw_rate: _Pair
-    """(rad/s) of both after the impact."""
+    """(rad/s) yaw rates of both vehicles after the impact."""
     found_difference: float
-    """(m/s) to the first row."""
+    """(m/s) difference from the first row."""
     speeds_difference: _Pair
-    """(m/s) to the first row, of both speeds."""
+    """(m/s) differences of both speeds from the first row."""
     delta_v_difference: _Pair
-    """(m/s) to the first row, of both vehicles."""
+    """(m/s) differences of both ΔV from the first row."""
     error: str
     """Why the law has no answer, in words."""
 
@@ -676,13 +676,13 @@ class EvidenceAnswer(Record):
     delta_v: _Pair
     """(m/s) of both vehicles."""
     closing_speed: float
-    """(m/s) of the vehicles towards each other."""
+    """(m/s) closing speed."""
     crush_energy_needed: float
-    """(J) that the impact would need."""
+    """(J) crush energy that the impact would need."""
     energy_loss: float
-    """(J) what the impact takes."""
+    """(J) energy lost in the impact."""
     standard_deviations_apart: float
-    """(–) between momentum and crush energy, where both were weighed."""
+    """(–) standard deviations between momentum and crush energy, where both were weighted."""
     how: str
     """How it was found, in words."""
     error: str
@@ -693,7 +693,7 @@ class Evidence(Record):
     """The answers by damage, by momentum and by both together."""
 
     crush_energy: float
-    """(J) as measured."""
+    """(J) crush energy as measured."""
     damage: EvidenceAnswer
     """By the damage."""
     momentum: EvidenceAnswer
@@ -735,26 +735,26 @@ class SweepRow(Record):
     """CRASH3's answer with the PDOF turned."""
 
     change: float
-    """(rad) by which it is turned."""
+    """(rad) angle by which it is turned."""
     pdof: _MaybePair
-    """(rad) of both vehicles, from the front."""
+    """(rad) PDOF of both vehicles, clockwise from the heading."""
     oblique_angle: _MaybePair
     """(rad) of both vehicles, between the force and the normal of the damaged side."""
     moment_arm: _MaybePair
-    """(m) of the force about the centre of gravity of both vehicles."""
+    """(m) moment arm of the force about the centre of gravity, for both vehicles."""
     uncorrected_delta_v: _MaybePair
     """(m/s) of both vehicles."""
     delta_v: _MaybePair
-    """(m/s) of both, with the correction of the case."""
+    """(m/s) ΔV of both vehicles, with the correction of the case."""
     capped_delta_v: _MaybePair
-    """(m/s) of both, with CRASH3's correction."""
+    """(m/s) ΔV of both vehicles, with CRASH3's correction."""
     uncapped_delta_v: _MaybePair
-    """(m/s) of both, with that correction without its cap."""
+    """(m/s) ΔV of both vehicles, with that correction without its cap."""
 
 
 class _Sensitivity(_Document):
     derivatives: tuple[Derivative, ...]
-    """Of each output by each input, the most influential first."""
+    """The influence of each input on each output, the greatest first."""
     pdof_sweep: tuple[SweepRow, ...]
     """CRASH3 with the PDOF turned."""
     pdof_sweep_held: tuple[str, ...]
@@ -778,9 +778,9 @@ class Doubtful(Record):
     samples: int
     """(–) number of these samples."""
     of: int
-    """(–) number of samples that were looked at."""
+    """(–) number of samples that were examined."""
     share: float
-    """(–) of these samples among those."""
+    """(–) share of these samples among those."""
 
 
 class Truncation(Record):
@@ -791,7 +791,7 @@ class Truncation(Record):
     high: float
     """(SI) its upper bound, where it has one."""
     kept: float
-    """(–) the part that is left."""
+    """(–) share of the distribution that is left."""
 
 
 class UncertainInput(Record):
@@ -804,9 +804,9 @@ class UncertainInput(Record):
     distribution: str
     """``"normal"``, ``"log-normal"``, ``"uniform"`` or ``"triangular"``."""
     central: float
-    """(SI) as it is without a range."""
+    """(SI) central value."""
     mean: float
-    """(SI) of the distribution."""
+    """(SI) mean of the distribution."""
     sd: float
     """(SI) standard deviation of the distribution."""
     truncated: Truncation
@@ -814,7 +814,7 @@ class UncertainInput(Record):
 
 
 class TakenAsExact(Record):
-    """What all samples share, so that no interval contains its error."""
+    """A value that all samples share, so that no interval contains its error."""
 
     key: str
     """Its key."""
@@ -827,26 +827,26 @@ class TakenAsExact(Record):
 
 
 class OutputErrors(Record):
-    """Standard errors of an output, from the sampling itself."""
+    """Standard errors of an output, due to sampling."""
 
     mean: float | None
-    """(SI) of the mean."""
+    """(SI) error of the mean."""
     sd: float | None
-    """(SI) of the standard deviation."""
+    """(SI) error of the standard deviation."""
     median: float | None
-    """(SI) of the median."""
+    """(SI) error of the median."""
     interval50: _MaybePair
-    """(SI) of both ends."""
+    """(SI) errors of both ends."""
     interval90: _MaybePair
-    """(SI) of both ends."""
+    """(SI) errors of both ends."""
     interval95: _MaybePair
-    """(SI) of both ends."""
+    """(SI) errors of both ends."""
     interval99: _MaybePair
-    """(SI) of both ends."""
+    """(SI) errors of both ends."""
 
 
 class Bar(Record):
-    """What an input alone does to an output."""
+    """The effect of one input alone on an output."""
 
     input: str
     """The key of the input."""
@@ -855,7 +855,7 @@ class Bar(Record):
     high: _MaybePair
     """(SI) the input at its 97.5 % quantile, and the output there."""
     share: float
-    """(–) of its first-order variance."""
+    """(–) share of the output's first-order variance."""
 
 
 class Index(Record):
@@ -864,20 +864,20 @@ class Index(Record):
     input: str
     """The key of the input."""
     first_order: float
-    """(–) the part of the variance that it makes alone."""
+    """(–) share of the variance due to it alone."""
     total: float
-    """(–) the part that it makes with the others."""
+    """(–) share due to it, alone and together with others."""
     first_order_interval95: _Pair | None
-    """(–) of 95 %, from the sampling itself."""
+    """(–) 95 % interval, from the sampling alone."""
     total_interval95: _Pair | None
-    """(–) of 95 %, from the sampling itself."""
+    """(–) 95 % interval, from the sampling alone."""
 
 
 class UncertainOutput(Record):
     """A result with its spread; None where fewer than two samples have an answer."""
 
     central: float
-    """(SI) of the case without ranges."""
+    """(SI) answer for the central values."""
     mean: float | None
     """(SI) of the samples."""
     sd: float | None
@@ -893,41 +893,41 @@ class UncertainOutput(Record):
     interval99: _Pair | None
     """(SI) lower and upper end of 99 %."""
     standard_error: OutputErrors
-    """From the sampling itself."""
+    """Standard errors due to sampling."""
     first_order_sd: float
     """(SI) standard deviation by the derivatives alone."""
     first_order_differs: bool | None
     """Whether that differs from the one of the samples."""
     tornado: tuple[Bar, ...]
-    """What each input alone does, the most influential first."""
+    """The effect of each input alone, the greatest first."""
     sensitivity: tuple[Index, ...]
     """Sobol' indices, where they were asked for."""
 
 
 class IndexRows(Record):
-    """What Sobol' indices are computed from."""
+    """The samples from which Sobol' indices are computed."""
 
     rows: int
-    """(–) that were asked for."""
+    """(–) number of rows requested."""
     used: int
-    """(–) of which all have an answer."""
+    """(–) number of rows in which all samples have an answer."""
     evaluations: int
-    """(–) of the case."""
+    """(–) number of evaluations of the case."""
 
 
 class _Uncertainty(_Document):
     samples: int
-    """(–) that were evaluated."""
+    """(–) number of samples evaluated."""
     requested: int
-    """(–) that were asked for."""
+    """(–) number of samples requested."""
     seed: int
-    """(–) of the random numbers."""
+    """(–) seed of the random numbers."""
     method: str
     """How the samples were drawn."""
     succeeded: int
     """(–) number of samples with an answer."""
     failed: Keyed[int]
-    """(–) numbers of samples without an answer, by why they have none."""
+    """(–) numbers of samples without an answer, by reason."""
     doubtful: tuple[Doubtful, ...]
     """Samples whose answer would cause a warning in a single case."""
     inputs: tuple[UncertainInput, ...]
@@ -939,7 +939,7 @@ class _Uncertainty(_Document):
     sensitivity: tuple[Index, ...]
     """Sobol' indices of the first output, where they were asked for."""
     index_rows: IndexRows
-    """What these are computed from."""
+    """The samples from which these are computed."""
     warnings: tuple[CaseWarning, ...]
     """Those of the case as it stands."""
 
@@ -953,11 +953,11 @@ class Doubt(Record):
     code: str
     """What fails, in a word."""
     key: str
-    """The number that it is about, where it is about one."""
+    """The number concerned, where there is one."""
 
 
 class Interval(Record):
-    """What is known of a speed, or of a result before the evidence."""
+    """What is known about a speed, or about a result before the evidence."""
 
     median: float
     """(SI) half of the probability is below it."""
@@ -966,16 +966,16 @@ class Interval(Record):
 
 
 class PosteriorErrors(Record):
-    """Standard errors of a result, from the sampling itself."""
+    """Standard errors of a result, due to sampling."""
 
     median: float | None
-    """(SI) of the median."""
+    """(SI) error of the median."""
     interval95: _MaybePair
-    """(SI) of both ends."""
+    """(SI) errors of both ends."""
     mean: float | None
-    """(SI) of the mean."""
+    """(SI) error of the mean."""
     sd: float | None
-    """(SI) of the standard deviation."""
+    """(SI) error of the standard deviation."""
 
 
 class EstimatedOutput(Record):
@@ -1000,9 +1000,9 @@ class EstimatedOutput(Record):
     sd: float | None
     """(SI) standard deviation of the draws."""
     standard_error: PosteriorErrors | None
-    """From the sampling itself."""
+    """Standard errors due to sampling."""
     if_serious_injury: Interval | None
-    """If somebody in either vehicle was seriously hurt; None where another prior was asked for."""
+    """The result if somebody in either vehicle was seriously hurt; None where another prior was requested."""
 
 
 class Tested(Record):
@@ -1015,7 +1015,7 @@ class Tested(Record):
     quantity: str
     """What was judged: ``"ΔV"`` or ``"speed"``."""
     n: int
-    """(–) how many of these."""
+    """(–) number of these."""
     inside95: float
     """(–) share of the true values inside their 95 % intervals."""
     rms: float | None
@@ -1025,7 +1025,7 @@ class Tested(Record):
 
 
 class Question(Record):
-    """How probable it is that a result is above a limit."""
+    """The probability that a result is above a limit."""
 
     output: str
     """The key of the result."""
@@ -1034,7 +1034,7 @@ class Question(Record):
     probability: float | None
     """(–) None where the run has not converged."""
     standard_error: float | None
-    """(–) from the sampling itself."""
+    """(–) standard error due to sampling."""
 
 
 class Piece(Record):
@@ -1043,27 +1043,27 @@ class Piece(Record):
     key: str
     """Its key."""
     alone: tuple[Interval | None, Interval | None] | None
-    """(m/s) by it alone; None where that was not asked for."""
+    """(m/s) speeds by it alone; None where that was not requested."""
     without: tuple[Interval | None, Interval | None] | None
-    """(m/s) by all the rest."""
+    """(m/s) speeds by all other evidence."""
     p_value: float | None
-    """(–) how probable it is that it lies as far from the rest as it does, or farther."""
+    """(–) p-value: the probability, given all other evidence, of an observation at least this far off."""
     adjusted_p_value: float | None
-    """(–) the same, adjusted for the number of pieces: what the verdict is by."""
+    """(–) the same, adjusted for the number of pieces; the verdict uses this."""
     reversed: bool
     """Whether it points in the opposite direction to the rest."""
     verdict: str | None
-    """Whether it agrees with the rest."""
+    """Whether it agrees with the other evidence."""
 
 
 class CrushError(Record):
     """How far the crush energy of a vehicle may be off, in ln."""
 
     method: str
-    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"``, ``"ees"``, or of a
-    fixed object ``"object"``."""
+    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"``, ``"ees"``, or, for a
+    fixed object, ``"object"``."""
     bias: float
-    """(–) that all such energies share on average."""
+    """(–) average error that all such energies share."""
     shared_sd: float
     """(–) standard deviation of the error that both vehicles share."""
     own_sd: float
@@ -1076,24 +1076,24 @@ class Stood(Record):
     assumed: float
     """(–) as assumed."""
     prior: float | None
-    """(–) of the collisions that are possible, before the evidence."""
+    """(–) among the possible collisions, before the evidence."""
     probability: float | None
     """(–) after the evidence; None where the run has not converged."""
 
 
 class Distribution(Record):
-    """What is known of a number before the evidence."""
+    """What is known about a number before the evidence."""
 
     distribution: str
     """``"normal"``, ``"log-normal"``, ``"uniform"`` or ``"triangular"``."""
     mean: float
-    """(SI) of the distribution."""
+    """(SI) mean of the distribution."""
     sd: float
     """(SI) its standard deviation."""
 
 
 class Posterior(Record):
-    """What is known of a number after the evidence."""
+    """What is known about a number after the evidence."""
 
     median: float
     """(SI) half of the probability is below it."""
@@ -1111,7 +1111,7 @@ class Unknown(Record):
     key: str
     """Its key."""
     assumed: bool
-    """Whether the case does not give what is known of it before the evidence."""
+    """Whether its prior is assumed, because the case gives none."""
     prior: Distribution
     """Before the evidence."""
     posterior: Posterior | None
@@ -1131,9 +1131,9 @@ class _Estimate(_Document):
     prior: str
     """The severity before the evidence: ``"field"``, ``"serious-injury"`` or ``"flat"``."""
     seed: int
-    """(–) of the random numbers."""
+    """(–) seed of the random numbers."""
     particles: int
-    """(–) of each island, as asked."""
+    """(–) number of particles of each island, as requested."""
     draws: int
     """(–) number of draws."""
     converged: bool
@@ -1175,13 +1175,13 @@ class Demand(Record):
     """The reaction demand, from which on everything counts."""
 
     distance: float
-    """(m) of the vehicle to the place of the impact."""
+    """(m) distance of the vehicle from the place of the impact."""
     time: float
     """(s) before the impact."""
 
 
 class Sight(Record):
-    """Since when the view of the other party was free."""
+    """When the view of the other party became free."""
 
     time: float
     """(s) before the impact."""
@@ -1190,7 +1190,7 @@ class Sight(Record):
     distance_other: float
     """(m) that the other party covers from there to the impact."""
     hidden_by: int | None
-    """(–) the obstacle that hid it last, counted from 1; None if it came out of nothing."""
+    """(–) the obstacle that hid it last, counted from 1; None if no obstacle hid it."""
     seen_earlier: float | None
     """(s) before the impact, when it was first in sight before it was hidden; None if it was not."""
 
@@ -1201,11 +1201,11 @@ class SameLine(Record):
     direction: str
     """``"ahead"`` or ``"oncoming"``."""
     gap: float
-    """(m) how far it was away at the demand."""
+    """(m) its distance at the demand."""
     speed: float
     """(m/s) at the impact."""
     deceleration: float
-    """(m/s²) with which it goes on until it stands; 0 if it keeps its speed."""
+    """(m/s²) deceleration with which it goes on until it stops; 0 if it keeps its speed."""
 
 
 class Avoidable(Record):
@@ -1214,7 +1214,7 @@ class Avoidable(Record):
     speed: float
     """(m/s) the greatest speed that avoids the collision; 0 if none does."""
     avoidable_at_limit: bool
-    """Whether the limit does."""
+    """Whether the limit avoids it."""
 
 
 class AtLimit(Record):
@@ -1223,11 +1223,11 @@ class AtLimit(Record):
     collision_speed: float
     """(m/s) at the place of the impact; 0 if the vehicle stops before."""
     delta_v: tuple[float | None, float | None] | None
-    """(m/s) of both vehicles, None of a fixed object; None without an impact in the case."""
+    """(m/s) ΔV of both vehicles, None for a fixed object; None if the case has no impact."""
 
 
 class Influence(Record):
-    """What a number moves."""
+    """How much a number affects the probability."""
 
     input: str
     """Its key; ``"speed"`` for the speed that the rest of the case gives."""
@@ -1236,7 +1236,7 @@ class Influence(Record):
 
 
 class AvoidanceProbability(Record):
-    """How probable it is that the collision is avoided."""
+    """The probability that the collision is avoided."""
 
     avoided_at_limit: float
     """(–) at the limit, with the reaction and the braking of the inputs."""
@@ -1262,7 +1262,7 @@ class DriverResponse(Record):
     reaction_time: float
     """(s) from the demand to the first effect of the brakes."""
     swell: float
-    """(s) from there to the full deceleration."""
+    """(s) from then to the full deceleration."""
     swell_form: str
     """How the deceleration grows in it: ``"linear"``, ``"half"`` or ``"full speed"``."""
     deceleration: float
@@ -1273,25 +1273,25 @@ class AvoidanceRun(Record):
     """A run up to the place of the impact."""
 
     hypothesis: str
-    """What it supposes; ``"actual"`` for what happened."""
+    """What it assumes; ``"actual"`` for what happened."""
     speed: float
     """(m/s) at the demand."""
     reaction_time: float | None
-    """(s) None of a run without a reaction."""
+    """(s) reaction time; None for a run without a reaction."""
     deceleration: float | None
-    """(m/s²) None of a run without a reaction."""
+    """(m/s²) deceleration; None for a run without a reaction."""
     stopping_distance: float | None
     """(m) from the demand; None if it does not stop."""
     collision_speed: float
-    """(m/s) at the place of the impact or, on the same line, at the contact; 0 if it does not come to it."""
+    """(m/s) at the place of the impact or, on the same line, at the contact; 0 if it does not get there."""
     arrival: float | None
-    """(s) there, after the demand; None if it does not come to it."""
+    """(s) arrival there, after the demand; None if it does not get there."""
     stops_before: bool
     """Whether it stops before the place of the impact or, on the same line, does not reach the other."""
     least_gap: float | None
-    """(m) how near it comes to a vehicle on the same line that it does not reach."""
+    """(m) least distance from a vehicle on the same line that it does not reach."""
     late_enough: bool | None
-    """Whether the other party has then left the danger zone; None if that is not asked."""
+    """Whether the other party has then left the danger zone; None if that is not examined."""
     delta_v: tuple[float | None, float | None] | None
     """(m/s) as in ``at_limit``."""
 
@@ -1303,7 +1303,7 @@ class Enough(Record):
     speed: float
     """(m/s) at most."""
     deceleration: float | None
-    """(m/s²) at least, at the speed driven; 0 if the vehicle comes late enough without braking."""
+    """(m/s²) at least, at the speed driven; 0 if the vehicle arrives late enough without braking."""
     reaction_time: float | None
     """(s) at most, at the speed driven; where ``deceleration`` is 0, the time until the other party is gone."""
     deceleration_at_limit: float | None
@@ -1324,7 +1324,7 @@ class MedianInterval(Record):
 
 
 class SightIntervals(Record):
-    """Since when the view is free, among the samples in which something hides the other party before."""
+    """When the view became free, among the samples in which something hides the other party before."""
 
     time: MedianInterval
     """(s) before the impact."""
@@ -1333,7 +1333,7 @@ class SightIntervals(Record):
     distance_other: MedianInterval
     """(m) that the other party covers from there."""
     never_hidden: float
-    """(–) part of the samples in which nothing hides it."""
+    """(–) share of the samples in which nothing hides it."""
 
 
 class AvoidanceIntervals(Record):
@@ -1346,9 +1346,9 @@ class AvoidanceIntervals(Record):
     demand_time: MedianInterval
     """(s) from the demand to the impact."""
     spatial_speed: MedianInterval
-    """(m/s) that avoids it in space."""
+    """(m/s) speed that avoids it in space."""
     temporal_speed: MedianInterval | None
-    """(m/s) that avoids it in time; None if that is not asked."""
+    """(m/s) speed that avoids it in time; None if that is not examined."""
     collision_speed_at_limit: MedianInterval
     """(m/s) the speed that is left when driving at the limit."""
     sight: SightIntervals | None
@@ -1359,7 +1359,7 @@ class AvoidanceAnswer(Record):
     """Whether the collision was avoidable."""
 
     vehicle: int
-    """The vehicle whose driver is asked about, 1 or 2."""
+    """The vehicle whose driver is considered, 1 or 2."""
     speed: float
     """(m/s) its speed at the demand."""
     speed_source: str
@@ -1377,7 +1377,7 @@ class AvoidanceAnswer(Record):
     spatial: Avoidable
     """In space: the vehicle stops before the place of the impact."""
     temporal: Avoidable | None
-    """In time: the other party has left the danger zone; None if that is not asked."""
+    """In time: the other party has left the danger zone; None if that is not examined."""
     at_limit: AtLimit
     """The speed that is left at the impact when driving at the limit."""
     converged: bool
@@ -1387,11 +1387,11 @@ class AvoidanceAnswer(Record):
     response: DriverResponse
     """What the driver could have done."""
     actual: str
-    """How the vehicle came: ``"responded"``, ``"unbraked"``, ``"skidded"``, ``"by the recorder"``, and others."""
+    """How the vehicle approached: ``"responded"``, ``"unbraked"``, ``"skidded"``, ``"by the recorder"``, and others."""
     reaction_late_by: float | None
-    """(s) later than with the reaction of the inputs; None if it is not known."""
+    """(s) by how much the reaction was later than that of the inputs; None if it is not known."""
     runs: tuple[AvoidanceRun, ...]
-    """What happened first, then what would have."""
+    """First the actual run, then the others."""
     enough: Enough
     """What would have been enough."""
     intervals: AvoidanceIntervals | None
@@ -1424,15 +1424,15 @@ class Figures(Record):
     rms_error: float
     """(m/s) standard error of that."""
     coverage: Keyed[float]
-    """(–) part of the recorders within the intervals of ``"50"``, ``"80"`` and ``"95"`` per cent; not of WinSMASH."""
+    """(–) share of the recorders within the intervals of ``"50"``, ``"80"`` and ``"95"`` per cent; not for WinSMASH."""
     coverage_error: Keyed[float]
     """(–) standard errors of these."""
     width95: float
-    """(m/s) mean width of the intervals of 95 %; not of WinSMASH."""
+    """(m/s) mean width of the 95 % intervals; not for WinSMASH."""
     crps: float
     """(m/s) mean continuous ranked probability score."""
     pit: tuple[int, ...]
-    """(–) numbers of recorders by tenth of the distribution in which they lie; not of WinSMASH."""
+    """(–) numbers of recorders in each tenth of the predicted distribution; not for WinSMASH."""
 
 
 class LeftOut(Record):
@@ -1465,7 +1465,7 @@ class JudgedVehicle(Record):
     longitudinal: bool
     """Whether that is only the longitudinal ΔV."""
     median: float
-    """(m/s) of the estimate."""
+    """(m/s) median of the estimate."""
     interval50: _Pair
     """(m/s) lower and upper end of 50 %."""
     interval80: _Pair
@@ -1473,7 +1473,7 @@ class JudgedVehicle(Record):
     interval95: _Pair
     """(m/s) lower and upper end of 95 %."""
     below: float
-    """(–) part of the draws below the recorder."""
+    """(–) share of the draws below the recorder."""
     crps: float
     """(m/s) continuous ranked probability score."""
     converged: bool
@@ -1496,7 +1496,7 @@ class _Coverage:
     groups: Keyed[Figures]
     """All, and by kind of collision."""
     winsmash: Keyed[Figures]
-    """The same of WinSMASH."""
+    """The same for WinSMASH."""
     left_out: tuple[LeftOut, ...]
     """Recorders that are left out."""
     judged: tuple[JudgedVehicle, ...]

@@ -331,7 +331,7 @@ fn impact(ledger: &mut Ledger) {
     ledger.quoted("e = 1 … nothing", &glossary, "With e = 1 no energy is dissipated");
     let [least, most] = bounds("moment_restitution");
     ledger.made(format!("{least} … default … {most}"));
-    ledger.quoted("; 0 … leaves", &glossary, "over 0 (common yaw rate) to 1");
+    ledger.quoted("; 0 … leaves", &glossary, "through 0 (common yaw rate) to 1");
 }
 
 /// The exit statuses of a case without an answer, and of a file that is wrong.

@@ -230,7 +230,7 @@ fn ranges(ledger: &mut Ledger) {
     ledger.cited("From 0.05 … below 0.01", limits);
     ledger.made(format!("holds … {} %", within(1.0)));
     ledger.made(format!("power … {}", 2_u32.pow(16)));
-    ledger.cited("brings … 0 … 1", "the range of a share");
+    ledger.cited("contributes … 0 … 1", "the range of a share");
     let [low, high] = uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
     ledger.made(format!("{low} % … {high} % … quantile"));
     let sets = uncertainty::REPLICATES;
