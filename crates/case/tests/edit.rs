@@ -190,12 +190,13 @@ fn set_and_removed(before: &Before<'_>, key: &str, value: &str) {
     assert_eq!(remove(&removed, key).unwrap(), removed, "{key}");
 }
 
+/// In a third of the files, so that each file has a third of the keys.
 #[test]
-fn every_key_can_be_set_and_removed_in_every_file() {
+fn every_key_can_be_set_and_removed() {
     let keys = keys_with_values();
-    for text in texts() {
-        let before = Before::new(&text);
-        for (key, value) in &keys {
+    for (index, text) in texts().iter().enumerate() {
+        let before = Before::new(text);
+        for (key, value) in keys.iter().skip(index % 3).step_by(3) {
             set_and_removed(&before, key, value);
         }
     }
