@@ -23,7 +23,7 @@ pub(crate) struct HeadlineBlock {
     /// Evidence that all the rest contradicts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     contradicting: Vec<String>,
-    /// Evidence that the rest doubts.
+    /// Evidence that the rest makes doubtful.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     doubtful: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
