@@ -74,7 +74,7 @@ impl PairKind {
     }
 }
 
-/// A crash whose vehicles can be estimated from all evidence but their recorders, and judged by these.
+/// A crash whose vehicles can be estimated from all evidence except their recorders, and judged by these.
 pub trait Crash: Sync {
     /// The figures that are fitted to such crashes.
     const FIGURES: &'static [Figure];
