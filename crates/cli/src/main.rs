@@ -84,7 +84,7 @@ fn run(command: Command) -> Result<()> {
     }
 }
 
-/// What is said of an error: each cause once, and nothing of it acts on the terminal.
+/// The message of an error: each cause once, without characters that act on the terminal.
 fn message(error: &anyhow::Error) -> String {
     // Diagnostics render themselves with the word "error" and their place in the file.
     if error.is::<Diagnostics>() {

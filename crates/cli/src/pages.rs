@@ -20,7 +20,7 @@ pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
     match folder {
         Some(folder) => {
             let mut command = for_pages().disable_help_subcommand(true);
-            // Pages are named after the commands before them too, which it gives them.
+            // The names of pages include the commands above, which this adds.
             command.build();
             pages(&command, folder)
         }
@@ -62,7 +62,7 @@ fn described(command: clap::Command) -> clap::Command {
         .arg(help)
 }
 
-/// The commands with dots behind what may be given several times, which clap_mangen leaves out.
+/// The commands with dots after arguments that may be given several times, which clap_mangen leaves out.
 fn for_pages() -> clap::Command {
     described(Command::command())
         .mut_subcommands(|command| {

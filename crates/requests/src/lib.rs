@@ -25,12 +25,12 @@
 //! [samples](Answer::write_samples).
 //!
 //! [`DrawingRequest`] draws a subject of a case, [`plots`] an uncertainty, and [`site_plan_beside`] reads the
-//! picture behind a motion. [`RowRefusal`] says on one line why a row has no answer.
+//! picture behind a motion. [`RowRefusal`] states on one line why a row has no answer.
 //!
 //! # A new command
 //!
 //! Its options, and its document and JSON if no other crate has them, are a file of this crate, whose enums
-//! have a variant more. The command line gives it a name and a help; the page finds it by its name.
+//! get another variant. The command line gives it a name and a help; the page finds it by its name.
 //!
 //! # What it does not do
 //!
@@ -86,7 +86,7 @@ pub enum Request {
     Check,
     /// The answers of every impact law.
     Compare,
-    /// What the recorders say alone.
+    /// The readings of the recorders on their own.
     Recorder,
     /// How much the answer depends on each input.
     Sensitivity(SensitivityOptions),
@@ -299,7 +299,7 @@ impl Answer {
         matches!(self, Self::Analysis(solved) if solved.is_followed())
     }
 
-    /// The JSON document: SI units and radians, with keys that are kept.
+    /// The JSON document: SI units and radians, with stable keys.
     ///
     /// # Errors
     /// If serialisation fails, which no answer causes.
@@ -358,8 +358,8 @@ impl Answer {
         }
     }
 
-    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is
-    /// [not an answer](Self::no_answer) or has no samples.
+    /// Writes the samples or draws as CSV or, for recorders, the data that they stored before the impact;
+    /// nothing if it is [not an answer](Self::no_answer) or has no samples.
     ///
     /// # Errors
     /// Those of the output.

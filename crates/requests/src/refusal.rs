@@ -40,7 +40,7 @@ pub enum NoPage {
 pub struct RowRefusal {
     /// What is wrong, and where.
     pub error: String,
-    /// What to write instead; empty where the error says all.
+    /// What to write instead; empty if the error suffices.
     pub help: String,
 }
 
