@@ -14,19 +14,19 @@ use pyo3_arrow::buffer::PyArrowBuffer;
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 
 /// The samples of an uncertainty, or the draws of an estimate: a column for each number, in SI units and
-/// radians. It reads as a dict of columns by their keys.
+/// radians. It can be read like a dict of columns by their keys.
 ///
 /// ``columns[key]`` is a NumPy array on the memory of the result, without a copy: it cannot be written to,
-/// and outlives the result. A sample without an answer is NaN. Whatever speaks Arrow takes the whole as it
-/// is: ``polars.DataFrame(columns)``, ``pyarrow.record_batch(columns)``,
-/// ``pandas.DataFrame.from_arrow(columns)``. There the columns are called as their keys, with ``_`` in
-/// place of dots and brackets, and ``columns["vehicle1_speed"]`` knows them by these names, too; a sample
-/// without an answer is null, and the column ``failed`` says why it has none.
+/// and outlives the result. A sample without an answer is NaN. Any library that reads Arrow takes the whole
+/// as it is: ``polars.DataFrame(columns)``, ``pyarrow.record_batch(columns)``,
+/// ``pandas.DataFrame.from_arrow(columns)``. There the columns are named after their keys, with ``_`` in
+/// place of dots and brackets, and ``columns["vehicle1_speed"]`` accepts these names, too; a sample without
+/// an answer is null, and the column ``failed`` gives the reason.
 ///
 /// Raises
 /// ------
 /// KeyError
-///     For a column that there is not; the text names those that there are.
+///     If there is no such column; the text names those that exist.
 ///
 /// Examples
 /// --------
@@ -81,12 +81,12 @@ impl Columns {
         (Arc::new(Field::new("", array.data_type().clone(), false)), array)
     }
 
-    /// How many columns stand before those of the keys.
+    /// The number of columns before those of the keys.
     fn leading(&self) -> usize {
         self.batch.num_columns() - self.keys.len()
     }
 
-    /// The place of a key, which may be written as the column is called in Arrow.
+    /// The index of a key, which may also be given by the column's name in Arrow.
     fn place(&self, key: &str) -> Option<usize> {
         let exactly = self.keys.iter().position(|known| known == key);
         exactly.or_else(|| self.keys.iter().position(|known| name(known) == key))
@@ -147,14 +147,14 @@ impl Columns {
         self.keys.iter().map(|key| Ok((key.clone(), self.__getitem__(py, key)?))).collect()
     }
 
-    /// The column of a key, or what else is given.
+    /// The column of a key, or ``default`` if there is none.
     ///
     /// Parameters
     /// ----------
     /// key : str
-    ///     As of ``columns[key]``.
+    ///     As in ``columns[key]``.
     /// default : optional
-    ///     What is returned where there is no such column.
+    ///     Returned if there is no such column.
     ///
     /// Returns
     /// -------
@@ -213,8 +213,8 @@ impl Columns {
         py.import("numpy")?.call_method1("frombuffer", (buffer, "float64"))
     }
 
-    /// An array has no names: what makes one of all columns, such as ``pandas.DataFrame(columns)``, would
-    /// lose them, and is told what keeps them.
+    /// An array has no names: ``pandas.DataFrame(columns)``, which makes one array of all columns, would lose
+    /// them. The error names the calls that keep them.
     #[pyo3(signature = (dtype = None, copy = None))]
     fn __array__(&self, dtype: Option<&Bound<'_, PyAny>>, copy: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let _ = (dtype, copy);

@@ -23,18 +23,18 @@ use crate::picture::Picture;
 use crate::request::{chosen, wrong_option};
 use crate::solved::{Solved, answered};
 
-/// A case that was read, and where from.
+/// A case that was read, and its source.
 pub(crate) struct Given {
     pub(crate) file: CaseFile,
-    /// Of a file: the pictures that it names lie beside it.
+    /// The path, if the case is from a file: the pictures that it names are in the same folder.
     path: Option<PathBuf>,
 }
 
-/// What is known of a collision: a case file that was read and checked.
+/// The data of a collision: a case file that was read and checked.
 ///
 /// ``Case.read`` takes a file, ``Case.parse`` a text and ``Case.from_dict`` a dict. All are checked at
-/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods answer what
-/// the commands of the program ``deltav`` of the same name answer, with the same bits.
+/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods give the same
+/// answers, bit for bit, as the commands of the same name of the program ``deltav``.
 ///
 /// Examples
 /// --------
@@ -44,7 +44,7 @@ pub(crate) struct Given {
 #[pyclass(name = "Case", module = "pydeltav", frozen)]
 pub(crate) struct PyCase(pub(crate) Arc<Given>);
 
-/// The units of a text or a drawing: those that most of the case uses, unless somebody says.
+/// The units of a text or a drawing: those that are asked for, or else those that most of the case uses.
 pub(crate) fn units(asked: Option<&str>, file: &CaseFile) -> PyResult<Units> {
     asked.map_or_else(|| Ok(Units::of_case(&file.case)), |asked| chosen("units", asked, &Units::WORDS))
 }
@@ -56,7 +56,7 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
     type Error = PyErr;
 
     fn extract(number: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        // Of what is no whole number Python says so itself.
+        // If it is not a whole number, Python itself gives the error.
         let number = number.extract::<Bound<'_, PyInt>>()?;
         let wrong = || {
             let bits = 8 * size_of::<T>();
@@ -66,22 +66,22 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
     }
 }
 
-/// Whether a text is on one line and has no key and no table, as no case file.
+/// Whether a text is on one line and has no key and no table, and so is not a case file.
 pub(crate) fn is_one_word(text: &str) -> bool {
     let text = text.trim();
     !text.is_empty() && !text.contains(['\n', '=']) && !text.starts_with(['[', '#', '\u{feff}'])
 }
 
-/// Whether a text is the path of a case file, and not one.
+/// Whether a text is the path of a case file, and not the text of one.
 pub(crate) fn is_path(text: &str) -> bool {
     is_one_word(text) && text.to_ascii_lowercase().ends_with(".toml")
 }
 
-/// What a case file has, up to a byte more than it may.
+/// The bytes of a case file, up to one more than are allowed.
 pub(crate) fn bytes_of(py: Python<'_>, path: &Path) -> PyResult<Vec<u8>> {
     let name = path.display().to_string();
     let unreadable = |error: std::io::Error| match error.raw_os_error() {
-        // Python makes of the number the subclass, such as FileNotFoundError.
+        // From the number, Python selects the subclass, such as FileNotFoundError.
         Some(number) => {
             let said = py.import("os").and_then(|os| os.call_method1("strerror", (number,)));
             said.map_or_else(|error| error, |said| PyOSError::new_err((number, said.unbind(), name.clone())))
@@ -182,9 +182,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// OSError
-    ///     Where the file cannot be read.
+    ///     If the file cannot be read.
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -211,7 +211,7 @@ impl PyCase {
     /// text : str
     ///     The text; ``Case.read`` takes a path.
     /// name : str
-    ///     What errors and results call it.
+    ///     Its name in errors and results.
     ///
     /// Returns
     /// -------
@@ -220,7 +220,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -261,7 +261,7 @@ impl PyCase {
     /// case : Mapping
     ///     Tables as dicts, texts, numbers, flags, lists, and arrays of NumPy.
     /// name : str
-    ///     What errors and results call it.
+    ///     Its name in errors and results.
     ///
     /// Returns
     /// -------
@@ -270,7 +270,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where it is no case.
+    ///     If it is not a valid case.
     ///
     /// Examples
     /// --------
@@ -349,9 +349,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -372,9 +372,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -387,7 +387,7 @@ impl PyCase {
         self.asked(py, Request::Impact, None)
     }
 
-    /// Follows each vehicle from the impact to rest, or finds how it left from where it came to rest.
+    /// Follows each vehicle from the impact to rest, or finds its departure from the rest position.
     ///
     /// Returns
     /// -------
@@ -397,9 +397,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -428,9 +428,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -443,8 +443,7 @@ impl PyCase {
         self.asked(py, Request::Crush, None)
     }
 
-    /// Says what the case allows, what is assumed where it says nothing, and what it warns of, without
-    /// solving it.
+    /// Reports what the case allows, what is assumed for missing values, and the warnings; solves nothing.
     ///
     /// Returns
     /// -------
@@ -469,9 +468,9 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -483,7 +482,7 @@ impl PyCase {
         self.asked(py, Request::Compare, None)
     }
 
-    /// Gives the derivatives of the answer by each input, and sweeps the PDOF to both sides.
+    /// Gives the derivatives of the answer with respect to each input, and sweeps the PDOF to both sides.
     ///
     /// Parameters
     /// ----------
@@ -500,11 +499,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a step or a number of steps that cannot be.
+    ///     For an invalid step or number of steps.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -530,7 +529,7 @@ impl PyCase {
     /// Parameters
     /// ----------
     /// samples : int, optional
-    ///     (–) without it 100,000, or 1000 where the vehicles are searched back from their rests.
+    ///     (–) by default 100,000, or 1000 where motions are traced back from rest positions.
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
     /// method : {"monte-carlo", "latin-hypercube", "sobol"}
@@ -538,7 +537,7 @@ impl PyCase {
     /// sobol : int, optional
     ///     (–) rows, such as 4096, from which Sobol' indices are computed.
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -548,11 +547,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number or a method that cannot be.
+    ///     For an invalid number or method.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -586,7 +585,7 @@ impl PyCase {
         self.asked(py, Request::Uncertainty(options), threads.map(|threads| threads.0))
     }
 
-    /// Estimates the speeds from all evidence, with how probable each is. Ctrl-C ends it.
+    /// Estimates the speeds, with their probabilities, from all evidence. Ctrl-C ends it.
     ///
     /// Parameters
     /// ----------
@@ -595,13 +594,13 @@ impl PyCase {
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
     /// prior : {"field", "serious-injury", "flat"}, optional
-    ///     What is taken before the evidence, in place of what the case says.
+    ///     The prior, in place of that of the case.
     /// pieces : bool
-    ///     Whether to ask what each piece of evidence says alone, which takes most of the time.
+    ///     Whether to evaluate each piece of evidence alone, too, which takes most of the time.
     /// above : sequence of str
     ///     Questions such as ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above?
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -612,11 +611,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number, a prior or a question that cannot be.
+    ///     For an invalid number, prior or question.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -646,7 +645,7 @@ impl PyCase {
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
-    /// What the event data recorders say alone: the speed at impact with its error, the distance travelled
+    /// Evaluates the event data recorders alone: the speed at impact with its error, the distance travelled
     /// between samples, the pulse.
     ///
     /// Returns
@@ -658,7 +657,7 @@ impl PyCase {
     /// Raises
     /// ------
     /// CaseError
-    ///     Where the case has no table of a recorder; the text says what to write.
+    ///     If the case has no table of a recorder; the text says what to write.
     ///
     /// Examples
     /// --------
@@ -683,7 +682,7 @@ impl PyCase {
     /// exact : bool
     ///     Take the speed of the exact solution, even if there is more evidence.
     /// threads : int, optional
-    ///     Without it one for each processor. The bits do not depend on it.
+    ///     By default one for each processor. The bits do not depend on it.
     ///
     /// Returns
     /// -------
@@ -694,11 +693,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a number that cannot be.
+    ///     For an invalid number.
     /// CaseError
-    ///     Where the case lacks what it needs, such as a reaction time; the text says what.
+    ///     If the case lacks something that is needed, such as a reaction time; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------
@@ -736,9 +735,9 @@ impl PyCase {
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
     ///     What to draw.
     /// units : {"si", "us", "uk"}, optional
-    ///     Without it those that most of the case uses.
+    ///     By default those that most of the case uses.
     /// plain : bool
-    ///     Scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has
+    ///     Scene and motion for readers who are not engineers; without speeds where only ``estimate()`` has
     ///     them.
     ///
     /// Returns
@@ -748,11 +747,11 @@ impl PyCase {
     /// Raises
     /// ------
     /// ValueError
-    ///     For a drawing that there is not.
+    ///     For an unknown drawing.
     /// CaseError
-    ///     Where the case lacks what it needs; the text says what.
+    ///     If the case lacks something that is needed; the text says what.
     /// NoAnswerError
-    ///     Where no collision can be like it.
+    ///     If no collision is possible with these data.
     ///
     /// Examples
     /// --------

@@ -97,7 +97,7 @@ class Pairs(Sequence[_Row]):
         Raises
         ------
         OSError
-            Where it cannot be written.
+            If it cannot be written.
 
         Examples
         --------
@@ -177,7 +177,7 @@ class Coverage(_Coverage, Record):
         Raises
         ------
         ValueError
-            For a drawing that there is not.
+            For an unknown drawing.
 
         Examples
         --------
@@ -223,7 +223,7 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
     Raises
     ------
     ValueError
-        Where a table or a column is missing; the text says what there is instead.
+        If a table or a column is missing; the text says what there is instead.
 
     Examples
     --------
@@ -249,7 +249,7 @@ def read(path: str | os.PathLike[str]) -> Pairs:
     Raises
     ------
     ValueError
-        Where it is another file.
+        If it is not such a file.
 
     Examples
     --------
@@ -282,7 +282,7 @@ def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) ->
     Raises
     ------
     ValueError
-        Where a cell of the pair is no number, or the recorder has none.
+        If a cell of the pair is not a number, or the recorder has none.
 
     Examples
     --------
@@ -320,7 +320,7 @@ def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[di
     Raises
     ------
     ValueError
-        Where a table or a column is missing, or the vehicle has no record.
+        If a table or a column is missing, or the vehicle has no record.
 
     Examples
     --------
@@ -368,7 +368,7 @@ def judge(
     seed : int
         (–) of the random numbers; the same seed gives the same bits.
     threads : int, optional
-        Without it one for each processor. The bits do not depend on it.
+        By default one for each processor. The bits do not depend on it.
 
     Returns
     -------
@@ -378,7 +378,7 @@ def judge(
     Raises
     ------
     ValueError
-        Where a pair is wrong, or there is none.
+        If a pair is wrong, or there is none.
 
     Examples
     --------
