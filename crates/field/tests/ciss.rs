@@ -106,7 +106,7 @@ fn a_pair_has_the_cells_of_its_tables() {
         ("EDREVENT", "EDREVENT.csv", 4),
     ];
     assert_eq!(counts, expected);
-    // What is judged reads it, and it comes back.
+    // The reader of tables of pairs reads it, and gives the same.
     assert_eq!(field::read(&csv).unwrap().len(), 1);
     assert_eq!(read_pairs("pairs.csv", csv.as_bytes()).unwrap(), found.rows);
     let columns = CissCrashes::columns(false);
