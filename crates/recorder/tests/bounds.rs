@@ -60,8 +60,8 @@ proptest! {
 proptest! {
     #![proptest_config(Config { cases: 20_000, failure_persistence: None, ..Config::default() })]
 
-    /// A speed that drops or jumps at one instant, and changes by 1 g at most otherwise: where the two
-    /// samples show that it did, the bounds hold.
+    /// A speed that drops or jumps at one instant, and changes by 1 g at most otherwise: if the two samples
+    /// show such a jump, the bounds hold.
     #[test]
     fn the_distance_lies_within_its_bounds_beyond_1_g(
         (first, accelerations) in traces(),

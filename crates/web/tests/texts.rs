@@ -1,11 +1,11 @@
-//! What is said of a text, with its places as a browser counts them.
+//! The problems of a text, with their places as a browser counts them.
 
 use case::CaseFile;
 use serde_json::Value;
 
 use crate::{example, fixture, json, made, number};
 
-/// What a browser has between two of its places.
+/// The text that a browser has between two of its places.
 fn cut(text: &str, value: &Value) -> String {
     let units: Vec<u16> = text.encode_utf16().collect();
     let [from, to] = ["from", "to"].map(|end| usize::try_from(value[end].as_u64().unwrap()).unwrap());
