@@ -25,7 +25,7 @@ pub(crate) enum Goal {
     Speed,
     /// Both speeds, or one without damage, by how the vehicles left the impact.
     BothSpeeds,
-    /// What the impact does; both speeds are given.
+    /// The outcome of the impact; both speeds are given.
     Impact,
     /// The motion after the impact, alone.
     Motion,

@@ -38,7 +38,7 @@ fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
     })
 }
 
-/// Whether any of the evidence that an answer leaves aside can be weighed with the rest: a case for momentum
+/// Whether any of the evidence that an answer does not use can be weighed with the rest: a case for momentum
 /// of point masses may lack data for that, and a rest position is no evidence if the vehicle cannot be
 /// followed to it.
 pub(crate) fn can_be_weighed(case: &Case, left_aside: &[String]) -> bool {

@@ -23,7 +23,7 @@ const AHEAD: usize = 16;
 
 const CANNOT_WRITE: &str = "cannot write the rows";
 
-/// What a row is.
+/// The form of a row.
 #[derive(Clone, Copy)]
 pub(crate) enum Rows {
     Csv(Csv),

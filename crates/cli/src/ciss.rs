@@ -81,7 +81,7 @@ pub(crate) fn files_of(path: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// What a folder has, in the order of the names; nothing if it is a file.
+/// The entries of a folder, in the order of their names; none if it is a file.
 fn entries(path: &Path) -> Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(Vec::new());

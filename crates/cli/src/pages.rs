@@ -46,7 +46,7 @@ fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
     write(Some(&folder.join(manual.get_filename())), page)
 }
 
-/// The command with its whole description and, beside its options, the meaning of their values.
+/// The command with its whole description and, in its options, the meaning of their values.
 fn described(command: clap::Command) -> clap::Command {
     let description: Vec<String> = [command.get_about(), command.get_before_help()]
         .into_iter()

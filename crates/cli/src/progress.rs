@@ -73,7 +73,7 @@ impl Progress {
             bar.set_position(done);
             return;
         }
-        // What was done before the bar appears is no measure of the speed from then on.
+        // Progress before the bar appears is not a measure of the speed from then on.
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr())
             .with_elapsed(self.began.elapsed())
             .with_position(done);

@@ -376,7 +376,7 @@ fn look_through(name: &str, file: &File, cannot: impl Fn() -> String + Copy) -> 
     /// Maximum number of wrong rows that are reported one by one.
     const TOLD: usize = 3;
     let Opened { mut reader, schema, .. } = Opened::of(file).with_context(cannot)?;
-    // A table of which nothing can be read is refused as a whole.
+    // A table without any readable row is refused as a whole.
     if columns_kept(&schema).is_err() {
         return Ok(0);
     }
@@ -585,7 +585,7 @@ impl<'a> Texts<'a> {
             }
             Self::Others(array, formatter) if array.is_valid(row) => {
                 let text = formatter.value(row).try_to_string()?;
-                // A number that begins with a sign is no formula.
+                // A number that begins with a sign is not a formula.
                 if text.trim().parse::<f64>().is_ok() { text } else { report::no_formula(&text) }
             }
             _ => String::new(),

@@ -39,7 +39,7 @@ fn case_files() -> Vec<String> {
     files
 }
 
-/// The invalid cases, most of which stand in the fixtures as changes of one, as a file each.
+/// The invalid cases, most of which are given in the fixtures as changes of one, as a file each.
 static INVALID: LazyLock<Vec<String>> = LazyLock::new(|| {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("invalid");
     fs::create_dir_all(&folder).unwrap();

@@ -79,7 +79,7 @@ impl PathTimePicture {
     pub fn draw(&self) -> Drawing {
         let runs = self.courses.iter().map(|course| (Sample::Line(course.pen()), course.legend.clone()));
         let mut entries: Vec<(Sample, String)> = runs.collect();
-        // Among the runs, on the same line, its way has a pen of its own.
+        // If it is on the same line, its motion is drawn among the runs, with a pen of its own.
         let other_pen = if self.zone.is_some() { OTHER_WAY } else { Pen { dashes: "12 3 2 3", ..OTHER_WAY } };
         if let Some((_, legend)) = &self.other {
             entries.push((Sample::Line(other_pen), legend.clone()));

@@ -71,8 +71,8 @@ pub struct ClaimGroup {
     pub figures: Figures,
     /// (–) share of the recorders inside the 95 % intervals, with its standard error.
     pub coverage95: Option<[f64; 2]>,
-    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times what they miss by (Gneiting
-    /// & Raftery 2007, equation 43).
+    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times the distance by which they
+    /// miss (Gneiting & Raftery 2007, equation 43).
     pub interval_score: Option<f64>,
 }
 
@@ -96,8 +96,8 @@ pub struct Claims {
 /// the longitudinal part, it is the size of that part. `text` is the table from which `pairs` were read.
 ///
 /// # Errors
-/// If a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
-/// vehicle has both a claim and a recorder.
+/// If a column is missing, a cell is not a plausible number, an interval does not contain its own value, or
+/// no vehicle has both a claim and a recorder.
 pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Result<Claims, FieldError> {
     let mut judged = Vec::new();
     let mut unclaimed = 0;

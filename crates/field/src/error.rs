@@ -41,7 +41,7 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
-    /// Columns that are no list of one or three names.
+    /// Columns that are not a list of one or three names.
     #[error(
         "\"{text}\" names no columns: write COLUMN, or COLUMN,LOW,HIGH for a program with 95 % intervals"
     )]

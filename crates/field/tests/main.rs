@@ -110,7 +110,7 @@ fn the_collision_has_the_geometry_of_the_damage() {
     assert!((front.constant - constant(2.22)).abs() < 1e-9 && (side.constant - constant(1.58)).abs() < 1e-9);
     // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
     assert!((front.linear - 1000.0 * 2.22 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
-    // The recorder is no evidence, unless it is given.
+    // The recorder is not evidence, unless it is given.
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
     assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);

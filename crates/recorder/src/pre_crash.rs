@@ -46,13 +46,13 @@ fn step_of(column: &TableColumn) -> Option<f64> {
     (speeds.peek().is_some() && speeds.all(is_whole)).then_some(column.unit.factor)
 }
 
-/// Why samples are no record before an impact.
+/// Why samples are not a record before an impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PreCrashFault {
     /// No sample at all.
     #[error("the record has no sample")]
     NoSample,
-    /// A time or a value that is no number.
+    /// A time or a value that is not a number.
     #[error("sample {sample}: a time, speed or other value is not a finite number")]
     NotFinite {
         /// From 1.

@@ -24,7 +24,7 @@ pub struct CrashPulse {
     padded_from: Option<f64>,
 }
 
-/// Why samples are no pulse.
+/// Why samples are not a pulse.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PulseFault {
     /// Fewer than two samples with a ΔV.
@@ -33,7 +33,7 @@ pub enum PulseFault {
         /// Their number.
         found: usize,
     },
-    /// A value that is no number.
+    /// A value that is not a number.
     #[error("sample {sample}: a time or ΔV is not a finite number")]
     NotFinite {
         /// From 1.

@@ -308,7 +308,7 @@ pub enum TextRefusal {
     NoQuantity {
         /// Of the heading of the times.
         place: TextPlace,
-        /// The headings beside them, to follow the words before.
+        /// The other headings of the table, to follow the words before.
         found: String,
         /// Some headings.
         known: &'static str,

@@ -121,7 +121,8 @@ fn bounds_of_two_equal_speeds() {
     assert_eq!(braked.steep_changes(&limits), []);
 }
 
-/// A fall of 15 m/s in a second is no tyre's. It may have happened in the last instant, after a second of
+/// A fall of 15 m/s in a second is more than tyres can do. It may have happened in the last instant, after a
+/// second of
 /// 1 g forward from 20 m/s, or in the first, with 5 m/s at the end: from a standstill, as 5 < g, 5²/2g m.
 #[test]
 fn bounds_hold_where_the_speed_falls_by_more_than_g() {

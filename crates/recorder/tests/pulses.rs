@@ -56,7 +56,7 @@ fn a_record_that_ends_within_the_impact_is_a_lower_bound() {
     assert_eq!(flat.unwrap().span(PulseRule::CHANGE), None);
 }
 
-/// A last digit that flickers after the impact is no impact: it ends where ΔV no longer changes.
+/// A last digit that flickers after the impact is not an impact: it ends where ΔV no longer changes.
 #[test]
 fn a_flickering_digit_does_not_prolong_an_impact() {
     let stored =
@@ -102,7 +102,7 @@ fn pulse(along: &[f64], across: &[f64]) -> CrashPulse {
     CrashPulse::new((0..along.len().max(across.len())).map(sample).collect()).unwrap()
 }
 
-/// From −28 km/h to 0 in 10 ms and no more: 79 g the other way, and then nothing. The zeros are no ΔV.
+/// From −28 km/h to 0 in 10 ms and no more: 79 g the other way, and then nothing. The zeros are not a ΔV.
 #[test]
 fn zeros_that_fill_up_a_record_are_no_samples() {
     let stored = [0.0, -2.0, -7.0, -13.0, -20.0, -25.0, -28.0];
@@ -175,7 +175,7 @@ fn a_pause_in_a_pulse_is_told() {
     let [from, to] = two.pause().unwrap();
     assert!((from - 0.06).abs() < 1e-12 && (to - 0.09).abs() < 1e-12, "{from} {to}");
     assert_eq!(half_sine(50.0 * KMH, 0.03, 0.01, 0.25).pause(), None);
-    // A last digit that flickers is no second impact.
+    // A last digit that flickers is not a second impact.
     let flickers =
         [0.0, -6.0, -18.0, -30.0, -40.0, -40.0, -40.0, -40.0, -40.0, -41.0, -40.0, -40.0, -40.0, -40.0];
     assert_eq!(pulse(&flickers, &[]).pause(), None);
@@ -312,7 +312,7 @@ proptest! {
 }
 
 /// From behind instead of from the front, with exactly the same size: 0.9 · L / (0.9 · L + 0.1) with
-/// L = 0.02 · 4/(0.45 √(2π)) is 39 %, which is no "cannot".
+/// L = 0.02 · 4/(0.45 √(2π)) is 39 %, which is not a "cannot".
 #[test]
 fn a_reversed_direction_alone_excludes_nothing() {
     let impact = KnownImpact { force_direction: Some(0.0), delta_v: Some(40.0 * KMH) };

@@ -123,7 +123,7 @@ pub(crate) struct Column {
     pub(crate) width: Width,
 }
 
-/// What the cells of a column are.
+/// The kind of cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cells {
     /// Left-aligned.

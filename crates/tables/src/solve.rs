@@ -247,7 +247,7 @@ impl Row<'_> {
         }
         let outcome =
             self.solved(row).unwrap_or_else(|refusal| Outcome { found: None, refusal: Some(refusal) });
-        // A long row asks in between, and stops if told to.
+        // A long row asks in between whether the run is ended, and then stops.
         let asks = matches!(self.job, Job::Estimate | Job::Avoid) || self.options.samples.is_some();
         if asks && self.is_ended.load(Ordering::Relaxed) {
             return None;

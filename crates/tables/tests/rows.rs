@@ -523,7 +523,7 @@ fn avoided(case: &str) -> RecordBatch {
 }
 
 /// From a stop, 8 m with 1.6 m/s² on the first 6: the vehicle never reaches a limit of 50 km/h. With a
-/// reaction of 0.3 s it stops before the other's way, whatever 50 km/h at the demand would do.
+/// reaction of 0.3 s it stops before the other's path, whatever would happen from 50 km/h at the demand.
 #[test]
 fn a_vehicle_from_a_stop_is_asked_at_the_speed_that_it_reaches() {
     let case = include_str!("../../../fixtures/avoid/from-stop.toml");

@@ -32,7 +32,7 @@ struct Tables {
 /// number is implausible.
 ///
 /// # Errors
-/// If a table or a column is missing, or a cell is no number, with file, line and column.
+/// If a table or a column is missing, or a cell is not a number, with file, line and column.
 pub fn pairs<F: CissFiles>(files: &mut F) -> Result<CissCrashes, F::Error> {
     Ok(found(&Tables::read(files)?, false)?)
 }

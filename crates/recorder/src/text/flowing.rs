@@ -276,7 +276,8 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     if segment.lines.is_empty() {
         return Err(TextRefusal::NoRows { heading: title, place: first });
     }
-    // A title above the table that names a quantity of it, "Longitudinal delta-V, 0 to 250 ms", is no column.
+    // A title above the table that names a quantity of it, "Longitudinal delta-V, 0 to 250 ms", is not a
+    // column.
     if let Some(time) = segment.heads.iter().position(|head| head.channel == Channel::Time) {
         segment.heads.drain(..time);
     }
@@ -333,7 +334,7 @@ fn odd_count(counts: &[usize], width: usize) -> usize {
     counts.iter().copied().find(|count| *count != width).unwrap_or(0)
 }
 
-/// After how many columns the headings begin anew.
+/// The number of columns after which the headings repeat.
 fn repeated(heads: &[Head]) -> usize {
     let all = channels(heads);
     let next = all.iter().skip(1).position(|channel| *channel == Channel::Time).map(|k| k + 1);

@@ -127,7 +127,7 @@ fn names(parts: &[Part]) -> Vec<(Channel, Range<usize>)> {
         let free: Vec<&str> =
             parts[at..].iter().take_while(|part| !part.within).map(|part| part.plain.as_str()).collect();
         let unit = unit_of(&parts[at].plain);
-        // "Engine speed, rpm": a unit after a heading that may have it is no further heading.
+        // "Engine speed, rpm": a unit after a heading that may have it is not a further heading.
         let takes = |unit: &ChannelUnit| found.last().is_some_and(|(channel, _)| channel.takes(unit));
         let is_unit = unit.as_ref().is_some_and(takes) && !has_unit;
         match heading_at(&free).filter(|_| !is_unit) {

@@ -50,7 +50,7 @@ pub struct Refused<'a> {
 /// A table for a spreadsheet: which rows it has, and how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Csv {
-    /// What the rows are.
+    /// The kind of rows.
     pub table: Table,
     /// The units of its numbers.
     pub units: Units,
@@ -58,7 +58,7 @@ pub struct Csv {
     pub style: CsvStyle,
 }
 
-/// What the rows of a [`Csv`] are. The [`RowAnswer`] of each row is of this kind.
+/// The kind of rows of a [`Csv`]. The [`RowAnswer`] of each row is of this kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
     /// One analysis per row.
@@ -524,7 +524,7 @@ pub fn no_formula(text: &str) -> String {
     // The list of the Open Worldwide Application Security Project (OWASP, CSV Injection).
     const BEGINS_A_FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
     let shown = shown(text);
-    // `-` is the name of standard input, and a sign alone is no formula.
+    // `-` is the name of standard input, and a sign alone is not a formula.
     match text.starts_with(BEGINS_A_FORMULA) && text != "-" {
         true => format!("'{shown}"),
         false => shown.into_owned(),

@@ -83,7 +83,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .abilities
             .iter()
             .map(|Ability { purpose, obstacle, left_aside, .. }| {
-                // If something can be drawn, data missing for other drawings are no obstacle.
+                // If something can be drawn, data missing for other drawings are not an obstacle.
                 let draws = (*purpose == Purpose::Draw).then(|| drawn(case, judgement));
                 let obstacle =
                     obstacle.as_ref().filter(|_| draws.as_ref().is_none_or(|draws| draws.is_empty()));

@@ -94,7 +94,7 @@ fn tested(class: Option<&TestedClass>) -> String {
     let off = rms.map_or_else(String::new, |rms| {
         format!(", and the median was off by {} % rms", number(100.0 * rms, 0))
     });
-    // Eighteen of nineteen is no percentage with a decimal.
+    // Eighteen of nineteen does not justify a percentage with a decimal.
     let share = number(100.0 * inside95, usize::from(*n >= 100));
     format!(
         "Judged on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} measured values of \
