@@ -104,7 +104,7 @@ fn rows(
             {
                 let (send, receive) = mpsc::sync_channel::<Written>(1);
                 scope.spawn(move |_| {
-                    // Nobody waits for it if the writing has ended.
+                    // Sending fails if the writing has ended.
                     let _ = send.send(row(path, request, format));
                 });
                 begun.push_back(receive);

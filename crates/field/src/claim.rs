@@ -67,7 +67,7 @@ pub struct JudgedClaim {
 pub struct ClaimGroup {
     /// `all`, or the name of a kind.
     pub name: &'static str,
-    /// As for a value without intervals.
+    /// The same figures as for values without intervals.
     pub figures: Figures,
     /// (–) share of the recorders inside the 95 % intervals, with its standard error.
     pub coverage95: Option<[f64; 2]>,

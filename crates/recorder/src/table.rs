@@ -306,7 +306,7 @@ pub enum TextRefusal {
     /// Times without a quantity.
     #[error("{place}: no quantity beside the times was recognised{found}; known are {known}")]
     NoQuantity {
-        /// Of the heading of the times.
+        /// The place of the heading of the times.
         place: TextPlace,
         /// The other headings of the table, to follow the words before.
         found: String,
@@ -350,11 +350,11 @@ pub enum TextRefusal {
     /// The number of values in a row differs from that of the headings.
     #[error("{place}: {found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
     Uneven {
-        /// Of the first value of the row.
+        /// The place of the first value of the row.
         place: TextPlace,
-        /// Values.
+        /// Number of values.
         found: usize,
-        /// Headings.
+        /// Number of headings.
         expected: usize,
         /// The headings.
         columns: String,
@@ -374,7 +374,7 @@ pub enum TextRefusal {
         name: String,
         /// The value.
         value: String,
-        /// Those that there are.
+        /// The values that there are.
         known: String,
     },
     /// A column by which rows cannot be chosen.
@@ -426,7 +426,7 @@ pub enum TextRefusal {
     /// Two columns of one quantity with different values.
     #[error("{place}: two columns give the {channel}, and disagree: {said}; leave out the one that is wrong")]
     Disagree {
-        /// Of the second value.
+        /// The place of the second value.
         place: TextPlace,
         /// The quantity.
         channel: &'static str,

@@ -98,16 +98,16 @@ pub enum Request {
     Avoid(AvoidOptions),
 }
 
-/// A [`Request`] that takes long, with what was found of it so far.
+/// A [`Request`] that takes long, with its results so far.
 #[derive(Debug)]
 pub enum Begun<'a> {
     /// Its exact solution is found.
     Reconstruct(&'a ReconstructOptions, Box<SolvedCase>),
-    /// Nothing yet.
+    /// No result yet.
     Uncertainty(&'a UncertaintyOptions),
-    /// Nothing yet.
+    /// No result yet.
     Estimate(&'a EstimateOptions),
-    /// Nothing yet.
+    /// No result yet.
     Avoid(&'a AvoidOptions),
 }
 
@@ -133,21 +133,22 @@ impl Begun<'_> {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Answer {
-    /// Of [`Request::Reconstruct`], [`Request::Impact`], [`Request::Motion`] and [`Request::Crush`].
+    /// The answer to [`Request::Reconstruct`], [`Request::Impact`], [`Request::Motion`] and
+    /// [`Request::Crush`].
     Analysis(Box<SolvedCase>),
-    /// Of [`Request::Check`].
+    /// The answer to [`Request::Check`].
     Judgement(Box<Judgement>),
-    /// Of [`Request::Compare`].
+    /// The answer to [`Request::Compare`].
     Comparison(Box<Comparison>),
-    /// Of [`Request::Recorder`].
+    /// The answer to [`Request::Recorder`].
     Recorders(Box<RecorderReading>),
-    /// Of [`Request::Sensitivity`].
+    /// The answer to [`Request::Sensitivity`].
     Sensitivity(Box<Sensitivity>),
-    /// Of [`Request::Uncertainty`].
+    /// The answer to [`Request::Uncertainty`].
     Uncertainty(Box<Uncertainty>),
-    /// Of [`Request::Estimate`].
+    /// The answer to [`Request::Estimate`].
     Estimate(Box<EstimateAnswer>),
-    /// Of [`Request::Avoid`].
+    /// The answer to [`Request::Avoid`].
     Avoidance(Box<Avoidance>),
 }
 

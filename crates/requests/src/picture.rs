@@ -50,10 +50,10 @@ impl DrawingRequest {
 /// (bytes) no PNG or JPEG of a plan is larger.
 const LARGEST_PICTURE: u64 = 1 << 28;
 
-/// Reads the file of a picture, which is no device and no pipe.
+/// Reads the file of a picture, which must not be a device or a pipe.
 ///
 /// # Errors
-/// That of the system, and for what cannot be a picture of a plan.
+/// That of the system, or if the file cannot be a picture of a plan.
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if !metadata.is_file() {

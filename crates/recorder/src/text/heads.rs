@@ -12,7 +12,7 @@ use crate::table::{TextPlace, TextRefusal};
 pub(crate) struct Head {
     pub(crate) text: String,
     pub(crate) channel: Channel,
-    /// Those named in it, the second that of numbers in brackets.
+    /// The units named in it, the second that of numbers in brackets.
     pub(crate) units: Vec<ChannelUnit>,
     pub(crate) place: TextPlace,
     /// The words that name the quantity.

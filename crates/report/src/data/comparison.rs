@@ -75,7 +75,7 @@ struct Document<'a> {
     /// The answers by damage, by momentum and by both.
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<EvidenceBlock>,
-    /// Those of the case as it stands.
+    /// The warnings of the case itself.
     warnings: Vec<WarningBlock>,
 }
 

@@ -28,11 +28,11 @@ pub struct Row<'a> {
 /// The answer in a row.
 #[derive(Clone, Copy, Debug)]
 pub enum RowAnswer<'a> {
-    /// Of `deltav reconstruct`, `deltav impact` and `deltav crush`.
+    /// The answer of `deltav reconstruct`, `deltav impact` and `deltav crush`.
     Analysis(&'a Analysis),
-    /// Of `deltav compare`.
+    /// The answer of `deltav compare`.
     Comparison(&'a Comparison),
-    /// Of `deltav uncertainty`.
+    /// The answer of `deltav uncertainty`.
     Uncertainty(&'a Uncertainty),
 }
 

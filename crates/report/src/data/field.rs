@@ -42,7 +42,7 @@ pub(super) struct JudgedBlock<'a, T> {
 
 #[derive(Serialize)]
 struct DataBlock<'a> {
-    /// Of the table of crashes.
+    /// The checksum of the table of crashes.
     sha256: String,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     years: Vec<YearBlock<'a>>,

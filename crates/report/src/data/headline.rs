@@ -47,7 +47,7 @@ struct FiguresBlock {
 
 #[derive(Serialize)]
 struct FigureBlock {
-    /// As solved, or the median.
+    /// The exact solution, or the median.
     value: Option<f64>,
     /// By all the evidence, with its errors and those of the method.
     #[serde(skip_serializing_if = "Option::is_none")]

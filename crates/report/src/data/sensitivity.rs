@@ -24,7 +24,7 @@ struct Document<'a> {
     /// The same, but turned with the direction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_turned: Vec<String>,
-    /// Those of the case as it stands.
+    /// The warnings of the case itself.
     warnings: Vec<WarningBlock>,
 }
 

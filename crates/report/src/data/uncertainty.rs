@@ -31,11 +31,11 @@ struct Document<'a> {
     /// Values that all samples share, so that no interval contains their errors.
     taken_as_exact: Vec<ExactBlock<'a>>,
     outputs: InOrder<OutputBlock<'a>>,
-    /// Those of the first output.
+    /// The indices of the first output.
     sensitivity: Vec<IndexBlock<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     index_rows: Option<RowsBlock>,
-    /// Those of the case as it stands.
+    /// The warnings of the case with its central values.
     warnings: Vec<WarningBlock>,
 }
 
