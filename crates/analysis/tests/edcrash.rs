@@ -258,7 +258,7 @@ fn the_path_to_rest_begins_at_the_place_of_the_cg() {
     close("y", -start.y, 13.75 + 1.6 * sin - 0.2 * cos - 0.5, 1e-9);
 }
 
-/// The impulse centres of the tutorial lie 0.32 m apart by hand; 2 cm less is no warning.
+/// The impulse centres of the tutorial lie 0.32 m apart by hand; 2 cm less raises no warning.
 #[test]
 fn contact_points_that_lie_apart_are_told() {
     let apart = |text: &str| {
