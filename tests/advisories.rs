@@ -57,7 +57,7 @@ struct Known {
     newest: String,
     /// The packages looked up, with or without advisories.
     packages: BTreeSet<String>,
-    /// The packages that no copy of the database was at hand for: `cargo deny` alone judges them.
+    /// The packages for which no copy of the database was at hand: only `cargo deny` checks them.
     not_looked_up: BTreeSet<String>,
     advisories: Vec<Advisory>,
 }
@@ -390,7 +390,7 @@ fn each_lapse_is_told() {
     one(told(&[("made-up", "1.2.2")], &[(id, " ")]), "without a reason");
     one(told(&[("made-up", "1.2.3")], &[(id, "is not called")]), "affects nothing here");
     one(told(&[("unknown", "1.0.0")], &[]), "unknown: nobody has looked");
-    // What is listed as not looked up is told again once it is, or is gone.
+    // A package listed as not looked up is reported once it has been looked up, or is gone.
     let of = |listed: &str, packages: [(&str, &str); 1]| {
         let known = Known {
             newest: known.newest.clone(),

@@ -1,5 +1,5 @@
-//! What leads to a release: the book has every page, and the workflows only run what anyone can run, with
-//! actions that nobody can exchange.
+//! The steps to a release: the book has every page, and the workflows run only commands that anyone can run,
+//! with actions pinned to a commit.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ fn the_book_has_every_page_of_docs() {
     assert_eq!(left_out(&summary.replace("(docs/theory.md)", "")), ["docs/theory.md"]);
 }
 
-/// What is wrong with a workflow, line by line.
+/// The faults of a workflow, line by line.
 fn faults(workflow: &str) -> Vec<String> {
     let mut faults = Vec::new();
     for line in workflow.lines() {

@@ -24,10 +24,10 @@ use trajectory::{
 type Impact = ([Motion; 2], Law, Contact);
 type Meeting = ([Participant; 2], f64, [Motion; 2], Law);
 
-/// An operation that gives up is quick: without an end to the run its count would pass for an improvement.
+/// An operation that gives up is quick: unless the run ends, its count would pass for an improvement.
 fn accepted<T, E: Display>(result: Result<T, E>) -> T {
     result.unwrap_or_else(|refusal| {
-        // Nothing is left to report to where standard error is closed.
+        // If standard error is closed, there is nowhere to report to.
         let _ = writeln!(stderr(), "{refusal}");
         exit(1)
     })
@@ -145,7 +145,7 @@ fn forward_block(outsets: &'static [Outset<'static>]) -> f64 {
     time
 }
 
-/// With the turn that is known.
+/// With the turn known.
 fn target_input() -> &'static (Way, Target) {
     kept(spin_out().map(|(chassis, ground, start)| {
         let rest = accepted(to_rest(&chassis, Steer::straight(), &ground, &start, &centimetre(), |_| {}));

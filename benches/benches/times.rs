@@ -123,8 +123,8 @@ fn picture(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a table pays for the paper's example with ranges in each row: for all but the samples, where the run
-/// is ended before the first one, and for a thousand of them.
+/// The cost of the paper's example with ranges in each row of a table: without samples, with the run ended
+/// before the first one, and with a thousand of them.
 fn row_of_a_table(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let text = include_str!("../../fixtures/sae-980025-uncertain.toml");
     let case = CaseFile::parse("sae-980025-uncertain.toml", text)?.case;
@@ -147,8 +147,8 @@ fn row_of_a_table(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A model that costs next to nothing, so that what is measured is the sampling of its inputs and the
-/// statistics.
+/// A model that costs next to nothing, so that only the sampling of its inputs and the statistics are
+/// measured.
 struct SumOfSquares;
 
 impl Model for SumOfSquares {
@@ -196,8 +196,8 @@ fn sampling(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Each value measured once, to a tenth of what the prior leaves open: next to no cost, so that what is
-/// measured is the sampler's own.
+/// Each value measured once, with a tenth of the spread of the prior: next to no cost, so that only the
+/// sampler itself is measured.
 struct Measured {
     values: usize,
 }
@@ -218,7 +218,7 @@ impl Evidence for Measured {
     }
 }
 
-/// What the recorders of two vehicles say alone: tables before the impact and pulses.
+/// The recorders of two vehicles alone: tables before the impact and pulses.
 fn recorders(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let case = CaseFile::parse("recorder.toml", include_str!("../../fixtures/recorder.toml"))?.case;
     analysis::recorders(&case).map_err(|failure| failure.to_string())?;

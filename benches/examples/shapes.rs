@@ -1,9 +1,9 @@
-//! What a sample costs in every fixture that has an impact, with a normal range on each of its numbers.
+//! The cost of a sample in every fixture that has an impact, with a normal range on each of its numbers.
 //!
 //! `cargo run --release -p deltav-benches --example shapes` draws the samples of all fixtures in turn, on one
-//! thread, five times, and prints the cost of a sample and input beside that of the paper's example. With the
-//! name of a fixture and a number of samples it draws these once, for a profiler or an instruction counter:
-//! the difference between two numbers of samples is what the samples cost.
+//! thread, five times, and prints the cost of a sample and input next to that of the paper's example. With
+//! the name of a fixture and a number of samples it draws these once, for a profiler or an instruction
+//! counter: the difference between runs with two numbers of samples is the cost of the samples.
 
 use std::error::Error;
 use std::fs;
@@ -16,7 +16,7 @@ use analysis::{Plan, Samples};
 use case::{Amount, Bounds, Case, CaseFile, Range, Spread};
 use uncertainty::{SamplingMethod, Settings};
 
-/// Runs of two lengths: their difference is free of what a run costs before its first sample.
+/// Runs of two lengths: their difference does not contain the cost before the first sample.
 const SAMPLES: [usize; 2] = [20_000, 120_000];
 
 const ROUNDS: usize = 5;
@@ -33,7 +33,7 @@ struct Fixture {
     name: String,
     case: Case,
     inputs: usize,
-    /// (s) what a sample and input costs, of each round.
+    /// (s) the cost of a sample and input, in each round.
     costs: Vec<f64>,
 }
 
@@ -83,7 +83,7 @@ impl Fixture {
 }
 
 fn settings(samples: usize) -> Settings {
-    // As a row of a table has it.
+    // As for a row of a table.
     Settings::new(SamplingMethod::MonteCarlo, samples, 1)
 }
 

@@ -1,9 +1,10 @@
-//! How many independent draws those of an estimate are worth, by runs with seeds of their own.
+//! The number of independent draws to which those of an estimate are equivalent, by runs with different
+//! seeds.
 //!
 //! `cargo run --release -p deltav-benches --example worth -- CASE.toml [SEEDS]`. A mean of n independent
-//! draws varies between seeds with σ²/n, so that σ² over the variance of the means is what the draws of one
-//! run are worth. That is known to a share of √(2/(SEEDS − 1)). A single run has only its islands to tell it
-//! by, and says the least of what they show of any number.
+//! draws varies between seeds with σ²/n, so that σ² over the variance of the means is the equivalent number
+//! for one run, with a relative error of √(2/(SEEDS − 1)). A single run can estimate it only from its
+//! islands, and reports the least that they show for any number.
 
 use std::error::Error;
 use std::io::Write;

@@ -30,13 +30,13 @@ pub(crate) fn ciss_columns() -> Vec<(String, &'static str)> {
     CissCrashes::columns(false).into_iter().map(|column| (column.name, column.kind)).collect()
 }
 
-/// Files that Python reads: their names, and what gives the content of one by its place.
+/// Files that Python reads: their names, and the function that gives the content of the file with an index.
 struct PyFiles<'py> {
     names: Vec<String>,
     read: Bound<'py, PyAny>,
 }
 
-/// What the rules refuse, or what Python raised when it read.
+/// A file that the rules refuse, or the exception that Python raised when it read one.
 enum Unread {
     Refused(CissError),
     Raised(PyErr),
@@ -80,7 +80,7 @@ fn rows_of(py: Python<'_>, rows: &[Vec<CissCell>]) -> PyResult<PyRows> {
     rows.iter().map(|row| row.iter().map(cell).collect()).collect()
 }
 
-/// The pairs of a year, and the numbers of those that are left out, by why.
+/// The pairs of a year, and the numbers of those that are left out, by reason.
 #[pyfunction(name = "_ciss_pairs")]
 pub(crate) fn ciss_pairs(
     py: Python<'_>,
@@ -118,7 +118,7 @@ pub(crate) fn ciss_records(
 }
 
 fn refused(error: FieldError) -> PyErr {
-    // Of the reason below it, such as a line of a table, Python would say nothing.
+    // Without this, Python would not show the underlying reason, such as a line of a table.
     let below = std::error::Error::source(&error).map(|reason| format!(": {reason}")).unwrap_or_default();
     PyValueError::new_err(format!("{error}{below}"))
 }
@@ -162,7 +162,7 @@ pub(crate) fn case_of_pair(
 #[pyclass(name = "_Judged", module = "pydeltav._pydeltav", frozen)]
 pub(crate) struct Judged {
     field: Field,
-    /// What it takes to judge again.
+    /// With the fields below, all that is needed to judge again.
     text: String,
     other: bool,
     prior: SeverityPrior,

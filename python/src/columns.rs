@@ -14,7 +14,7 @@ use pyo3_arrow::buffer::PyArrowBuffer;
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 
 /// The samples of an uncertainty, or the draws of an estimate: a column for each number, in SI units and
-/// radians. It reads as a dict of columns by their keys.
+/// radians. It can be read like a dict of columns by their keys.
 ///
 /// ``columns[key]`` is a NumPy array on the memory of the result, without a copy: it cannot be written to,
 /// and outlives the result. A sample without an answer is NaN. Whatever speaks Arrow takes the whole as it
@@ -81,12 +81,12 @@ impl Columns {
         (Arc::new(Field::new("", array.data_type().clone(), false)), array)
     }
 
-    /// How many columns stand before those of the keys.
+    /// The number of columns before those of the keys.
     fn leading(&self) -> usize {
         self.batch.num_columns() - self.keys.len()
     }
 
-    /// The place of a key, which may be written as the column is called in Arrow.
+    /// The index of a key, which may also be given by the column's name in Arrow.
     fn place(&self, key: &str) -> Option<usize> {
         let exactly = self.keys.iter().position(|known| known == key);
         exactly.or_else(|| self.keys.iter().position(|known| name(known) == key))
@@ -154,7 +154,7 @@ impl Columns {
     /// key : str
     ///     As in ``columns[key]``.
     /// default : optional
-    ///     What is returned where there is no such column.
+    ///     Returned if there is no such column.
     ///
     /// Returns
     /// -------
@@ -213,8 +213,8 @@ impl Columns {
         py.import("numpy")?.call_method1("frombuffer", (buffer, "float64"))
     }
 
-    /// An array has no names: what makes one of all columns, such as ``pandas.DataFrame(columns)``, would
-    /// lose them, and is told what keeps them.
+    /// An array has no names: ``pandas.DataFrame(columns)``, which makes one array of all columns, would lose
+    /// them. The error names the calls that keep them.
     #[pyo3(signature = (dtype = None, copy = None))]
     fn __array__(&self, dtype: Option<&Bound<'_, PyAny>>, copy: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let _ = (dtype, copy);

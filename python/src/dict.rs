@@ -6,15 +6,15 @@ use pyo3::types::{PyBool, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
 
 use crate::errors::wrong_value;
 
-/// No case has tables within tables within tables as deep as this.
+/// No case has tables nested as deeply as this.
 const DEEPEST: usize = 16;
 
-/// A table of so many keys stands on one line.
+/// A table of up to so many keys is written on one line.
 const SHORT: usize = 3;
 
-/// What stands at a key.
+/// The value of a key.
 enum Node {
-    /// As TOML has it.
+    /// As it is written in TOML.
     Word(String),
     List(Vec<Node>),
     Table(Vec<(String, Node)>),

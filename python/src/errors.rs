@@ -1,4 +1,4 @@
-//! What is raised in Python.
+//! The exceptions that are raised in Python.
 
 use analysis::Failure;
 use case::{CaseFile, Diagnostics, Program, Purpose};

@@ -23,18 +23,18 @@ use crate::picture::Picture;
 use crate::request::{chosen, wrong_option};
 use crate::solved::{Solved, answered};
 
-/// A case that was read, and where from.
+/// A case that was read, and its source.
 pub(crate) struct Given {
     pub(crate) file: CaseFile,
-    /// Of a file: the pictures that it names lie beside it.
+    /// The path, if the case is from a file: the pictures that it names are in the same folder.
     path: Option<PathBuf>,
 }
 
-/// What is known of a collision: a case file that was read and checked.
+/// The data of a collision: a case file that was read and checked.
 ///
 /// ``Case.read`` takes a file, ``Case.parse`` a text and ``Case.from_dict`` a dict. All are checked at
-/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods answer what
-/// the commands of the program ``deltav`` of the same name answer, with the same bits.
+/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods give the same
+/// answers, bit for bit, as the commands of the same name of the program ``deltav``.
 ///
 /// Examples
 /// --------
@@ -44,7 +44,7 @@ pub(crate) struct Given {
 #[pyclass(name = "Case", module = "pydeltav", frozen)]
 pub(crate) struct PyCase(pub(crate) Arc<Given>);
 
-/// The units of a text or a drawing: those that most of the case uses, unless somebody says.
+/// The units of a text or a drawing: those that are asked for, or else those that most of the case uses.
 pub(crate) fn units(asked: Option<&str>, file: &CaseFile) -> PyResult<Units> {
     asked.map_or_else(|| Ok(Units::of_case(&file.case)), |asked| chosen("units", asked, &Units::WORDS))
 }
@@ -56,7 +56,7 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
     type Error = PyErr;
 
     fn extract(number: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        // Of what is no whole number Python says so itself.
+        // If it is not a whole number, Python itself gives the error.
         let number = number.extract::<Bound<'_, PyInt>>()?;
         let wrong = || {
             let bits = 8 * size_of::<T>();
@@ -66,22 +66,22 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
     }
 }
 
-/// Whether a text is on one line and has no key and no table, as no case file.
+/// Whether a text is on one line and has no key and no table, and so is not a case file.
 pub(crate) fn is_one_word(text: &str) -> bool {
     let text = text.trim();
     !text.is_empty() && !text.contains(['\n', '=']) && !text.starts_with(['[', '#', '\u{feff}'])
 }
 
-/// Whether a text is the path of a case file, and not one.
+/// Whether a text is the path of a case file, and not the text of one.
 pub(crate) fn is_path(text: &str) -> bool {
     is_one_word(text) && text.to_ascii_lowercase().ends_with(".toml")
 }
 
-/// What a case file has, up to a byte more than it may.
+/// The bytes of a case file, up to one more than are allowed.
 pub(crate) fn bytes_of(py: Python<'_>, path: &Path) -> PyResult<Vec<u8>> {
     let name = path.display().to_string();
     let unreadable = |error: std::io::Error| match error.raw_os_error() {
-        // Python makes of the number the subclass, such as FileNotFoundError.
+        // From the number, Python selects the subclass, such as FileNotFoundError.
         Some(number) => {
             let said = py.import("os").and_then(|os| os.call_method1("strerror", (number,)));
             said.map_or_else(|error| error, |said| PyOSError::new_err((number, said.unbind(), name.clone())))
@@ -387,7 +387,7 @@ impl PyCase {
         self.asked(py, Request::Impact, None)
     }
 
-    /// Follows each vehicle from the impact to rest, or finds how it left from where it came to rest.
+    /// Follows each vehicle from the impact to rest, or finds its departure from the rest position.
     ///
     /// Returns
     /// -------
@@ -586,7 +586,7 @@ impl PyCase {
         self.asked(py, Request::Uncertainty(options), threads.map(|threads| threads.0))
     }
 
-    /// Estimates the speeds from all evidence, with how probable each is. Ctrl-C ends it.
+    /// Estimates the speeds, with their probabilities, from all evidence. Ctrl-C ends it.
     ///
     /// Parameters
     /// ----------

@@ -1,5 +1,5 @@
-//! The Python package `pydeltav`: the engine of the program for notebooks and tables. Its README has the two
-//! commands.
+//! The Python package `pydeltav`: the engine of the program for notebooks and tables. Its README gives the
+//! commands that install it.
 //!
 //! [`given`] reads a case, [`request`] asks the libraries, [`solved`] hands the answer to Python. Work that
 //! may take long goes through [`run`], which releases the interpreter's lock and listens to Ctrl-C.

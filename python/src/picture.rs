@@ -21,13 +21,13 @@ use report::PictureFormat;
 #[pyclass(name = "Drawing", module = "pydeltav", frozen)]
 pub(crate) struct Picture {
     drawing: report::Drawing,
-    /// What was drawn, and how to draw it again.
+    /// The object that was drawn; below it, the call that draws it again.
     source: Py<PyAny>,
     again: Py<PyAny>,
 }
 
 impl Picture {
-    /// Of a method of the source with what it was asked to draw.
+    /// From the source, the drawing, and the method of the source that drew it, with its arguments.
     pub(crate) fn new(
         source: &Bound<'_, PyAny>,
         drawing: report::Drawing,
@@ -45,7 +45,7 @@ impl Picture {
     }
 }
 
-/// A drawing within HTML. The `id`s in an SVG would collide with those of another one of the page; in an
+/// A drawing within HTML. The `id`s of an SVG would collide with those of another one on the page; in an
 /// image of its own they do not.
 pub(crate) fn image(drawing: &report::Drawing) -> String {
     let svg = STANDARD.encode(drawing.svg());

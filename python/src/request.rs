@@ -1,4 +1,4 @@
-//! What is asked of a case, and why there is no answer.
+//! The requests to a case, and the reasons why one has no answer.
 
 use case::CaseFile;
 use pyo3::exceptions::PyValueError;
@@ -16,7 +16,7 @@ pub(crate) fn chosen<T: Copy>(name: &str, word: &str, choices: &[(&str, T)]) -> 
     })
 }
 
-/// The class of the result of a request, in Python: that of all for what has none of its own.
+/// The Python class of the result of a request: `Result` if the request has none of its own.
 pub(crate) fn class(request: &Request) -> &'static str {
     match request {
         Request::Reconstruct(_) | Request::Impact | Request::Motion | Request::Crush => "Analysis",
@@ -30,7 +30,7 @@ pub(crate) fn class(request: &Request) -> &'static str {
     }
 }
 
-/// Whether it takes no longer than to start a thread for it.
+/// Whether a request takes no longer than the start of a thread for it would.
 pub(crate) fn is_quick(request: &Request) -> bool {
     matches!(class(request), "Analysis" | "Judgement")
 }

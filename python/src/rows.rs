@@ -63,8 +63,8 @@ fn broken(error: ArrowError) -> PyErr {
     PyRuntimeError::new_err(error.to_string())
 }
 
-/// What all rows share: a case, the text of a part of a case file, a dict with its keys, or the path of such
-/// a file.
+/// What all rows share: a case, the text of part of a case file, a dict with its keys, or the path of such a
+/// file.
 fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<RowTemplate> {
     let Some(given) = given else { return Ok(RowTemplate::default()) };
     let py = given.py();
@@ -161,7 +161,7 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 ///     ``case_schema()`` (SI units and radians) or flat with their unit in brackets,
 ///     ``"vehicle2.speed [mph]"``; all others are carried over.
 /// template : Case, str, Mapping or os.PathLike, optional
-///     What all rows share: a case, or a part of a case file as a text, a dict or a path. A text that ends in
+///     What all rows share: a case, or part of a case file as a text, a dict or a path. A text that ends in
 ///     ``.toml`` is a path.
 /// samples : int, optional
 ///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
@@ -354,8 +354,8 @@ pub(crate) fn estimate_table(
     solve(py, Job::Estimate, table, template, (options, threads))
 }
 
-/// Solves the rows of a table as they are read, and so in flat memory: for a table that does not fit into
-/// it, or one that another program reads on.
+/// Solves the rows of a table as they are read, in constant memory: for a table that does not fit into
+/// memory, or for results that another program reads as they come.
 ///
 /// Parameters
 /// ----------
@@ -379,7 +379,7 @@ pub(crate) fn estimate_table(
 /// Returns
 /// -------
 /// RowStream
-///     It can be read once. A row that is wrong says so in ``error``.
+///     It can be read once. The error of a row is in its column ``error``.
 ///
 /// Raises
 /// ------
@@ -419,7 +419,7 @@ pub(crate) fn stream_table(
     let table = table.0;
     let asked = asked(py, &table.schema(), job, template, options)?;
     let pool = pool(threads.map(|threads| threads.0))?;
-    // What is wrong with the table or the options is said now, and not to the one who reads.
+    // Errors of the table or the options are raised now, and not when somebody reads the stream.
     let none = RecordBatch::new_empty(table.schema());
     asked.solve(&none, &Ending::never()).map_err(|error| wrong_table(py, error))?;
     Ok(RowStream::of(Parts { asked, table, pool, left: None }))
@@ -449,7 +449,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
     PySchema(Arc::new(tables::case_schema(numbers)))
 }
 
-/// The schema of the results of a table, which Spark and others ask for before there are data. Columns that
+/// The schema of the results of a table, which Spark and others need before there are data. Columns that
 /// are carried over come before these.
 ///
 /// Parameters
@@ -457,12 +457,12 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 /// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
 ///     What to compute for each row.
 /// samples : int, optional
-///     (–) as of the table; with it there are columns of intervals.
+///     (–) as for the table; with it there are columns of intervals.
 ///
 /// Returns
 /// -------
 /// Schema
-///     Of columns in SI units and radians.
+///     The columns, in SI units and radians.
 ///
 /// Raises
 /// ------

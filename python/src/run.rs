@@ -10,14 +10,14 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// How long Ctrl-C may wait.
+/// The longest time until Ctrl-C is noticed.
 const PATIENCE: Duration = Duration::from_millis(50);
 
 /// The most threads that can be asked for.
 const MOST_THREADS: usize = 1024;
 
-/// Pools by process and number of threads. A process that is forked has none of its parent's threads, and
-/// would wait for them for ever; so it gets a pool of its own.
+/// Pools by process and number of threads. A forked process has none of its parent's threads, and would wait
+/// for them for ever; so it gets a pool of its own.
 type Pools = Vec<(u32, usize, Arc<ThreadPool>)>;
 static POOLS: Mutex<Pools> = Mutex::new(Vec::new());
 
@@ -34,7 +34,7 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
         }
     };
     let process = std::process::id();
-    // Where another thread held the lock at the moment of a fork, nobody gives it back in the child.
+    // If another thread held the lock at the moment of a fork, it is never released in the child.
     let mut pools = POOLS.try_lock().ok();
     let known = pools.iter().flat_map(|pools| pools.iter());
     if let Some((_, _, pool)) = known.into_iter().find(|(of, size, _)| (*of, *size) == (process, threads)) {
@@ -51,23 +51,23 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
-/// Whether the work goes on.
+/// Whether the work is to end early.
 pub(crate) struct Ending(AtomicBool);
 
 impl Ending {
-    /// Of work that is shorter than anybody's patience.
+    /// For work that is too short to be interrupted.
     pub(crate) fn never() -> Self {
         Self(AtomicBool::new(false))
     }
 
-    /// What a `progress` returns.
+    /// The value that a `progress` callback returns.
     pub(crate) fn flow(&self) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
-/// Does the work on a pool, and listens to signals meanwhile: Python's handler runs on the thread that
-/// called. What it raises is raised, as soon as the work has ended.
+/// Does the work on a pool, and listens to signals meanwhile: Python's handler runs on the calling thread. An
+/// exception that it raises is passed on as soon as the work has ended.
 pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
@@ -81,7 +81,7 @@ pub(crate) fn interruptible<T: Send>(
     let mut raised = None;
     let answer = pool.in_place_scope(|scope| {
         scope.spawn(move |_| {
-            // Nobody waits for it where the thread that called was ended.
+            // Sending fails if the calling thread no longer waits for the answer.
             let _ = send.send(work_of_pool(ending));
         });
         loop {

@@ -20,12 +20,12 @@ use crate::picture::{Picture, image};
 use crate::request::{chosen, class, is_quick, no_page, unanswered, wrong_option};
 use crate::run::{Ending, interruptible};
 
-/// A case, what was asked, and the answer.
+/// A case, the request, and the answer.
 pub(crate) struct Solved {
     given: Arc<Given>,
     request: Request,
     threads: Option<usize>,
-    /// Empty of a result that was pickled, until somebody needs more of it than its data.
+    /// Empty in a result that was pickled, until more of it is needed than its data.
     answer: OnceLock<Answer>,
     json: OnceLock<String>,
 }
@@ -42,7 +42,7 @@ impl Solved {
         Ok(solved)
     }
 
-    /// The answer, which is computed where there is none yet.
+    /// The answer, which is computed if there is none yet.
     fn answer(&self, py: Python<'_>) -> PyResult<&Answer> {
         if let Some(answer) = self.answer.get() {
             return Ok(answer);
@@ -55,7 +55,7 @@ impl Solved {
             interruptible(py, self.threads, answer)?
         };
         let answer = answer.map_err(|refused| unanswered(py, refused, &self.given.file))?;
-        // Two threads that needed it at once found the same.
+        // Two threads that computed it at the same time have found the same.
         Ok(self.answer.get_or_init(|| answer))
     }
 
@@ -73,7 +73,7 @@ impl Solved {
         units(asked, &self.given.file)
     }
 
-    /// The report to hand over of an analysis; of all else what the program prints.
+    /// The report of an analysis for its reader; for every other answer, the text that the program prints.
     fn report(&self, py: Python<'_>, units: Units) -> PyResult<Document> {
         let file = &self.given.file;
         let answer = self.answer(py)?;
@@ -84,7 +84,7 @@ impl Solved {
         page.map_err(|error| no_page(py, error, file))
     }
 
-    /// What a notebook shows below the text.
+    /// The drawing that a notebook shows below the text.
     fn shown(&self, py: Python<'_>, units: Units) -> PyResult<Option<report::Drawing>> {
         let case = &self.given.file.case;
         match self.answer(py)? {
@@ -114,7 +114,7 @@ impl Solved {
     }
 }
 
-/// The memory of a column, which lives as long as a view on it.
+/// The memory of a column, which lives as long as a view of it.
 struct Memory {
     solved: Arc<Solved>,
     place: usize,
@@ -172,7 +172,7 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
     }
 }
 
-/// What a case answers.
+/// The answer to a case.
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
 /// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all.
@@ -190,7 +190,7 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
 pub(crate) struct PyAnswered {
     solved: Arc<Solved>,
     record: PyOnceLock<Py<PyAny>>,
-    /// Those that were pickled.
+    /// The columns of a result that was pickled.
     columns: PyOnceLock<Py<Columns>>,
 }
 
@@ -248,7 +248,7 @@ impl PyAnswered {
         self.solved.json(py)
     }
 
-    /// What the program prints.
+    /// The text that the program prints.
     ///
     /// Parameters
     /// ----------
@@ -349,7 +349,7 @@ impl PyAnswered {
         include: Option<&Bound<'py, PyAny>>,
         exclude: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        // IPython picks what it was asked for.
+        // IPython itself picks the formats that it needs.
         let _ = (include, exclude);
         let bundle = PyDict::new(py);
         let units = self.solved.in_units(None)?;
@@ -414,7 +414,7 @@ impl PyAnswered {
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// A result that was pickled, with its data; all else of it is computed again where somebody asks for it.
+/// A result that was pickled, with its data; everything else is computed again when it is needed.
 #[pyfunction]
 #[pyo3(name = "_restore_result")]
 pub(crate) fn restore_result<'py>(
@@ -467,7 +467,7 @@ pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyA
     })
 }
 
-/// What ``reconstruct``, ``impact``, ``motion`` and ``crush`` of a case answer.
+/// The answer of ``reconstruct``, ``impact``, ``motion`` and ``crush`` of a case.
 ///
 /// Examples
 /// --------
@@ -484,7 +484,7 @@ impl PyAnalysis {
     /// Parameters
     /// ----------
     /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
-    ///     What to draw; without it what shows most.
+    ///     What to draw; by default the most complete drawing.
     /// units : {"si", "us", "uk"}, optional
     ///     By default those that most of the case uses.
     /// plain : bool
@@ -528,7 +528,7 @@ impl PyAnalysis {
     }
 }
 
-/// What ``check`` of a case answers.
+/// The answer of ``check`` of a case.
 ///
 /// Examples
 /// --------
@@ -538,7 +538,7 @@ impl PyAnalysis {
 #[pyclass(name = "Judgement", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyJudgement;
 
-/// What ``compare`` of a case answers.
+/// The answer of ``compare`` of a case.
 ///
 /// Examples
 /// --------
@@ -548,7 +548,7 @@ pub(crate) struct PyJudgement;
 #[pyclass(name = "Comparison", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyComparison;
 
-/// What ``sensitivity`` of a case answers.
+/// The answer of ``sensitivity`` of a case.
 ///
 /// Examples
 /// --------
@@ -558,7 +558,7 @@ pub(crate) struct PyComparison;
 #[pyclass(name = "Sensitivity", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PySensitivity;
 
-/// What ``uncertainty`` of a case answers.
+/// The answer of ``uncertainty`` of a case.
 ///
 /// Examples
 /// --------
@@ -615,7 +615,7 @@ impl PyUncertainty {
         spread(slf, ("histogram", output), units, report::histogram)
     }
 
-    /// Draws what each input alone does to an output, the most influential first.
+    /// Draws the effect of each input alone on an output, the most influential first.
     ///
     /// Parameters
     /// ----------
@@ -683,7 +683,7 @@ fn drawn(
     Picture::new(source, drawing, method, &options)
 }
 
-/// What ``estimate`` of a case answers.
+/// The answer of ``estimate`` of a case.
 ///
 /// Examples
 /// --------
@@ -716,7 +716,7 @@ impl PyEstimate {
         slf.as_super().get().columns(slf.py())
     }
 
-    /// Draws how probable the values of an output are, before and after the evidence.
+    /// Draws the probability density of an output, before and after the evidence.
     ///
     /// Parameters
     /// ----------
@@ -759,7 +759,7 @@ impl PyEstimate {
     }
 }
 
-/// What ``avoid`` of a case answers.
+/// The answer of ``avoid`` of a case.
 ///
 /// Examples
 /// --------

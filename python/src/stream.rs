@@ -13,15 +13,15 @@ use tables::{Carried, Job, RowOptions, RowTemplate, TableError};
 
 use crate::run::Ending;
 
-/// (rows) of a stream that are solved at once. One that already has its batches is cut into such parts.
+/// (rows) of a stream that are solved at once. Larger batches of a stream are cut into such parts.
 const PART: usize = 10_000;
 
-/// What is asked of every row of a table.
+/// The task for every row of a table.
 pub(crate) struct Asked {
     pub(crate) job: Job,
     pub(crate) template: RowTemplate,
     pub(crate) options: RowOptions,
-    /// The columns of the table that are no part of a case, and behind them the results.
+    /// The columns of the table that are not part of a case, followed by the results.
     pub(crate) carried: Carried,
 }
 
@@ -33,12 +33,12 @@ impl Asked {
     }
 }
 
-/// The parts of a table, each of which is solved when it is asked for.
+/// The parts of a table, each of which is solved when it is read.
 pub(crate) struct Parts {
     pub(crate) asked: Asked,
     pub(crate) table: Box<dyn RecordBatchReader + Send>,
     pub(crate) pool: Arc<ThreadPool>,
-    /// What is left of the last batch.
+    /// The rest of the last batch.
     pub(crate) left: Option<RecordBatch>,
 }
 
@@ -79,7 +79,7 @@ pub(crate) fn names(schema: &Schema) -> Vec<String> {
     schema.fields().iter().map(|field| field.name().clone()).collect()
 }
 
-/// Structs of these columns for whatever reads Arrow's streams.
+/// Structs of these columns, for any library that reads Arrow's streams.
 pub(crate) fn as_stream<'py>(
     py: Python<'py>,
     schema: &Schema,
@@ -92,7 +92,7 @@ pub(crate) fn as_stream<'py>(
     Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
 }
 
-/// The results of a table that are computed as they are read: in order, once, in flat memory.
+/// The results of a table, computed as they are read: in order, once, in constant memory.
 ///
 /// Whatever reads Arrow's streams takes it, such as ``pyarrow.RecordBatchReader.from_stream(stream)``.
 ///

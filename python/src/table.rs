@@ -1,4 +1,4 @@
-//! A table as users have it: of whatever speaks Arrow, or a dict of columns.
+//! A table as users pass it: from any library that uses Arrow, or a dict of columns.
 
 use std::sync::Arc;
 
@@ -13,10 +13,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyList, PyMapping, PyString, PyTuple};
 use pyo3_arrow::input::AnyRecordBatch;
 
-/// The rows of a table, read as they are asked for.
+/// The rows of a table, read as they are needed.
 pub(crate) struct Table(pub(crate) Box<dyn RecordBatchReader + Send>);
 
-/// What a table can be.
+/// The forms that a table can have.
 const WANTED: &str = "give a table of pyarrow, Polars, pandas or DuckDB, or a dict of columns, such as \
                       {\"vehicle2.speed [mph]\": [10.0, 12.0]}";
 
@@ -73,18 +73,18 @@ fn of_columns(columns: &Bound<'_, PyMapping>) -> PyResult<RecordBatch> {
     batch.map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
-/// What stands in a row of a column.
+/// The value of a row in a column.
 enum Cell {
     Nothing,
     Flag(bool),
-    /// A whole number, and the nearest that is none.
+    /// A whole number, and the nearest floating-point number.
     Whole(i64, f64),
     Number(f64),
     Text(String),
     Numbers(Vec<Option<f64>>),
 }
 
-/// What the rows of a column have in common.
+/// The common kind of the rows of a column.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Nothing,
@@ -116,7 +116,7 @@ impl Cell {
 }
 
 impl Kind {
-    /// The kind of a column that has both; `None` where no column has.
+    /// The kind of a column that contains both; `None` if no column can.
     fn with(self, other: Self) -> Option<Self> {
         match (self, other) {
             (kind, Self::Nothing) | (Self::Nothing, kind) => Some(kind),
@@ -209,7 +209,7 @@ fn listed<'py>(shown: &str, values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, P
     PyList::new(py, values.try_iter()?.collect::<PyResult<Vec<_>>>()?)
 }
 
-/// What stands in a row; `None` of what no column has.
+/// The value of a row; `None` for a value that no column can contain.
 fn cell(value: &Bound<'_, PyAny>) -> PyResult<Option<Cell>> {
     if value.is_none() {
         return Ok(Some(Cell::Nothing));
@@ -237,7 +237,7 @@ fn numbers(list: &Bound<'_, PyAny>) -> PyResult<Option<Cell>> {
     let mut numbers = Vec::new();
     for value in list.try_iter()? {
         let value = value?;
-        // A list of lists is no value of a case, and a list may contain itself.
+        // A list of lists is not a value of a case, and a list may contain itself.
         if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
             return Ok(None);
         }

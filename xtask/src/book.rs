@@ -1,5 +1,5 @@
-//! The book: the pages of the repository, as a site that can be searched. Nothing is written for it alone: the
-//! chapters that `book/SUMMARY.md` names are gathered in a folder, and mdbook builds it.
+//! The book: the pages of the repository, as a site that can be searched. No page is written for it alone:
+//! the chapters that `book/SUMMARY.md` names are gathered in a folder, and mdbook builds it.
 
 mod links;
 mod pages;
@@ -13,23 +13,23 @@ use serde_json::Value;
 
 use crate::tools::{is_installed, run, say, target_folder};
 
-/// What to do where mdbook is missing.
+/// The advice if mdbook is missing.
 pub(crate) const HOW_TO_INSTALL: &str = "mdbook is not installed; `cargo install mdbook --locked --version 0.5.4 \
     --root target/mdbook` brings it into the folder where this task looks for it";
 
-/// mdbook: as it was installed for this repository, or for this machine.
+/// mdbook, installed for this repository or for this machine.
 pub(crate) fn program(root: &Path) -> Option<PathBuf> {
     let own = target_folder(root).join("mdbook/bin").join(format!("mdbook{}", std::env::consts::EXE_SUFFIX));
     [own, PathBuf::from("mdbook")].into_iter().find(|program| is_installed(program))
 }
 
-/// The page, as it is called in the folder of the book.
+/// The name of the page in the folder of the book.
 const PAGE: &str = "deltav.html";
 
-/// Puts the page beside the chapters, and tells it so: it then links to them.
+/// Puts the page next to the chapters, with a mark by which it links to them.
 ///
-/// The page is one file that may lie anywhere, and its policy lets it look for nothing: that it lies here has
-/// to be told.
+/// The page is one file that may be anywhere, and its security policy does not allow it to look for other
+/// files: so it needs the mark.
 pub(crate) fn add_page(folder: &Path, page: &Path) -> Result<()> {
     let text = fs::read_to_string(page).with_context(|| format!("cannot read {}", page.display()))?;
     let told = text.replacen(HEAD, &format!("{HEAD}<meta name=\"deltav-book\">"), 1);
@@ -38,7 +38,7 @@ pub(crate) fn add_page(folder: &Path, page: &Path) -> Result<()> {
     fs::write(&copy, told).with_context(|| format!("cannot write {}", copy.display()))
 }
 
-/// Where the page tells its characters; what it knows of the book follows.
+/// The declaration of the page's encoding; the mark is put after it.
 const HEAD: &str = "<meta charset=\"utf-8\">";
 
 /// All places of the book to which the page links.
@@ -49,7 +49,7 @@ fn links_of_page(root: &Path) -> Result<Vec<String>> {
     Ok(texts(&chapters))
 }
 
-/// All texts of a document that are no keys.
+/// All texts of a document that are not keys.
 fn texts(document: &Value) -> Vec<String> {
     match document {
         Value::String(text) => vec![text.clone()],

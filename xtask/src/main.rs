@@ -64,8 +64,8 @@ fn main() -> Result<()> {
 }
 
 fn web(root: &Path, out: &Path) -> Result<()> {
-    // Not the library for Rust as well: every crate below would be translated once for that, and once more for
-    // the whole.
+    // Without the library for Rust: otherwise every crate below would be compiled once for it, and once more
+    // for the whole.
     let status = Command::new(cargo())
         .args(["rustc", "--locked", "--profile", PROFILE, "--target", TARGET, "-p", "deltav-web", "--lib"])
         .args(["--crate-type", "cdylib"])
@@ -96,8 +96,8 @@ fn same_bits(root: &Path, engine: &Path, program: &Path) -> Result<()> {
     Ok(())
 }
 
-/// All case files of a folder, in the order of their names: those that are wrong as well, of which both have
-/// to say the same.
+/// All case files of a folder, in the order of their names: including those with errors, for which both have
+/// to print the same.
 fn cases_in(folder: &Path, cases: &mut Vec<PathBuf>) -> Result<()> {
     let cannot = || format!("cannot read {}", folder.display());
     let mut paths = Vec::new();

@@ -1,4 +1,4 @@
-//! What a release hands out, built without publishing anything: a machine builds its part with `--dry-run`, and
+//! The files of a release, built without publishing anything: a machine builds its part with `--dry-run`, and
 //! the workflow of a release puts the parts of several machines together.
 
 mod archive;
@@ -18,7 +18,7 @@ use serde_json::Value;
 use crate::book;
 use crate::tools::{cargo, is_installed, output, run, say, target_folder};
 
-/// What to do of a release.
+/// The parts and steps of a release to do.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   cargo run -p xtask -- release --dry-run
@@ -74,7 +74,7 @@ struct Action {
     publish: bool,
 }
 
-/// A part of what a release hands out.
+/// A part of the files of a release.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Part {
     /// The program with licences, manual page and completions, as an archive
@@ -93,7 +93,7 @@ enum Part {
     Bill,
 }
 
-/// Where everything is, and of what version.
+/// The folders, and the version.
 struct Place {
     root: PathBuf,
     target: PathBuf,
@@ -103,7 +103,7 @@ struct Place {
     metadata: Value,
 }
 
-/// Does what the options ask for.
+/// Carries out the options.
 pub(crate) fn run_release(root: &Path, options: &Options) -> Result<()> {
     let place = place(root, options)?;
     let action = &options.action;
@@ -186,7 +186,7 @@ fn missing(part: Part, root: &Path) -> Option<&'static str> {
     }
 }
 
-/// Builds a part, and says what of it could not be built.
+/// Builds a part, and returns what could not be built.
 fn build(part: Part, place: &Place) -> Result<Vec<String>> {
     match part {
         Part::Program => return archive::program(place),

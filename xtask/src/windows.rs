@@ -9,7 +9,7 @@ use crate::tools::{cargo, run, target_folder};
 
 const TARGET: &str = "x86_64-pc-windows-gnu";
 
-/// Builds both programs, and has `tests/windows.sh` compare what they say.
+/// Builds both programs, and has `tests/windows.sh` compare their output.
 pub(crate) fn compare(root: &Path) -> Result<()> {
     let build = ["build", "--locked", "--release", "-p", "deltav-cli"];
     run(Command::new(cargo()).args(build).current_dir(root))?;

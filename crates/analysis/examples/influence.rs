@@ -9,7 +9,7 @@ use analysis::quantities::SPEED;
 use analysis::{Output, Sweep};
 use case::{CaseFile, to_toml};
 
-/// (m/s) the speed found where one number of the file is another by so many of its units.
+/// (m/s) the speed found if one number of the file is changed by so many of its units.
 fn speed(file: &CaseFile, path: &str, change: f64) -> Result<f64, Box<dyn Error>> {
     let case = file.case.map(|input| if input.path == path { input.number + change } else { input.number });
     let file = CaseFile::parse("changed.toml", &to_toml(&case))?;
@@ -27,7 +27,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         println!("{:28} {:+.2} %", derivative.input.path, 100.0 * derivative.influence());
     }
 
-    // The crush plane comes first, and a difference quotient over ±0.01° says the same.
+    // The crush plane comes first, and a difference quotient over ±0.01° agrees.
     let first = ranked.first().ok_or("the speed depends on something")?;
     assert_eq!(first.input.path, "impact.crush_plane");
     let rise = speed(&file, &first.input.path, 0.01)? - speed(&file, &first.input.path, -0.01)?;

@@ -25,7 +25,8 @@ const LEAST_DIFFERENCE: f64 = 5.0 / 3.6;
 /// (m/s) rounding of a speed at its limit, which is no contradiction.
 const SPEED_ROUNDING: f64 = 1e-6;
 
-/// The kinds of evidence that an answer uses, so that it is neither left aside nor compared with the answer.
+/// The kinds of evidence that an answer uses, so that it is neither listed as unused nor compared with the
+/// answer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Used {
     /// The crush energy, to find a speed or as a check.

@@ -15,7 +15,7 @@ use crate::uncertainty::{Plan, Stage, Uncertainty, is_searched_back, is_uncertai
 pub const SAMPLES: usize = 100_000;
 
 /// Default number of samples if the vehicles are traced back from rest: each takes some milliseconds. Their
-/// 95 % interval is known to some per cent of its width.
+/// 95 % interval is known to a few per cent of its width.
 pub const BACKWARD_SAMPLES: usize = 1_000;
 
 /// Samples of a report on a case with very many numbers, all of which every sample uses: the minimum, and the
@@ -39,8 +39,8 @@ pub struct Beside {
     pub sensitivity: Option<Sensitivity>,
 }
 
-/// With more zones of ground than this, each of which every step asks, fewer samples are taken: so many fewer
-/// as there are more zones, but not fewer than the least. An estimate then takes minutes.
+/// With more zones of ground than this, all of which are examined at every step, fewer samples are taken: in
+/// inverse proportion to the number of zones, but not below the minimum. An estimate then takes minutes.
 const ZONES: usize = 10;
 const LEAST_BACKWARD_SAMPLES: usize = 100;
 
@@ -70,8 +70,8 @@ pub fn beside(
     Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
 }
 
-/// Whether an estimate is quick enough to stand beside an exact solution that nobody asked it for: it follows
-/// some 10,000 motions, and each has to find the borders of all zones that it meets.
+/// Whether an estimate is quick enough to be added to an exact solution without a request: it follows some
+/// 10,000 motions, and each has to find the borders of all zones that it meets.
 #[must_use]
 pub fn is_estimated_beside(case: &Case) -> bool {
     zones(case) <= ZONES

@@ -96,7 +96,8 @@ impl<T: Real> Posed<T> {
         })
     }
 
-    /// (–) e at a fixed object; of a curve, the value at the closing speed that it leads to itself.
+    /// (–) e at a fixed object; with a restitution curve, the value at the closing speed that follows from
+    /// it.
     fn wall_restitution(&self, vehicle: VehicleId) -> Result<T, Failure> {
         let Some(law) = &self.law else { return Err(MomentumError::Fixed { vehicle }.into()) };
         let mut e = law.at(T::ZERO).restitution();

@@ -1,8 +1,8 @@
 //! The codes by which JSON, text and `explain` name the variants of an enum.
 
-/// One row for each variant of an enum, with `{ vehicle }` where it concerns one vehicle alone: `CODES`, all
-/// codes in the order of the rows, `code`, that of a value, and `vehicle`, which it concerns. A variant
-/// without a row does not compile.
+/// Takes one row for each variant of an enum, with `{ vehicle }` if it concerns only one vehicle, and makes
+/// `CODES` (all codes in the order of the rows), `code` (the code of a value) and `vehicle` (the vehicle that
+/// it concerns). A variant without a row does not compile.
 macro_rules! codes {
     ($($variant:ident $({ $vehicle:ident })? => $code:literal,)*) => {
         /// All codes.

@@ -91,7 +91,7 @@ macro_rules! each_lane {
     }};
 }
 
-/// The most numbers of a form that is read like this: A, B, G and the limit of a stiffness line.
+/// The largest form that is read like this has four numbers: A, B, G and the limit of a stiffness line.
 const MOST_NUMBERS: usize = 4;
 
 /// The value of a quantity in SI, in each lane.

@@ -19,7 +19,7 @@ fn with_weighing(case: &Case, mut analysis: Analysis) -> Analysis {
     analysis
 }
 
-/// The same, and whether a speed that was found hangs on an angle.
+/// The same, with a warning if a speed that was found depends strongly on an angle.
 fn judged(case: &Case, mut analysis: Analysis) -> Analysis {
     analysis.warnings.extend(sensitivity::hangs_on_angle(case, &analysis));
     with_weighing(case, analysis)

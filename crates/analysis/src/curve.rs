@@ -52,15 +52,15 @@ pub fn work_curve(case: &Case, found: &Found, samples: usize) -> Result<Vec<Work
     })
 }
 
-/// As a share of the first step of a curve: as near to the touching speed as the sign of a normal work is
-/// still meaningful.
+/// As a share of the first step of a curve: as near to the touching speed as possible while the sign of the
+/// normal work is still meaningful.
 const NEAR: f64 = 1e-3;
 /// Halvings of a step of the curve: the last is below the rounding of a speed.
 const HALVINGS: usize = 60;
 
 /// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive; `None` if that is the one at
-/// which the vehicles just touch. There u_n = 0 and with it W_n, whatever P_n; but the impulse of a law may
-/// be a pull there, and become a push (P_n > 0) only at a faster approach.
+/// which the vehicles just touch. There u_n = 0 and therefore W_n = 0, whatever P_n is; but the impulse of a
+/// law may be a pull there, and become a push (P_n > 0) only at a faster approach.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).

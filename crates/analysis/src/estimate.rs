@@ -53,12 +53,12 @@ pub struct EstimatePlan {
 /// What is found for each piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceDetail {
-    /// How far it is off, where the draws of the answer tell that.
+    /// How far it is off, if enough draws of the answer count for that.
     Weighed,
-    /// How far it is off: where too few of the draws tell, as with a piece that contradicts the rest, by a
-    /// run without it.
+    /// How far it is off. If too few of the draws count, as for a piece that contradicts the rest, a run
+    /// without it is made.
     Compared,
-    /// That, and the speeds by it alone and without it, which takes up to two runs for each.
+    /// The same, and the speeds by it alone and without it, which takes up to two runs for each piece.
     Apart,
 }
 
@@ -76,8 +76,8 @@ pub struct Estimated {
     pub observed: Observed,
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub energies: [Option<EnergyMethod>; 2],
-    /// The class of real collisions on which intervals of such estimates were judged; `None` where nothing
-    /// like it was.
+    /// The class of real collisions on which the intervals of such estimates were tested; `None` if no such
+    /// class was tested.
     pub tested: Option<&'static TestedClass>,
     /// Whether each vehicle may have stood still, if its speed is unknown.
     pub stood: [Option<Stood>; 2],
@@ -156,7 +156,7 @@ pub struct UnknownNumber {
 /// A result.
 #[derive(Clone, Debug)]
 pub struct EstimatedOutput {
-    /// Which.
+    /// The quantity and its vehicle.
     pub output: Output,
     /// Whether it is a speed that the case gives, with its range.
     pub is_given: bool,
@@ -164,8 +164,8 @@ pub struct EstimatedOutput {
     pub prior: Option<DrawsSummary>,
     /// (SI) after it.
     pub posterior: DrawsSummary,
-    /// (SI) after it, if it was known as well that somebody in either vehicle was seriously hurt; `None` if
-    /// the prior is another one than that of the field, or too few draws lead there.
+    /// (SI) after it, if somebody in either vehicle was also known to be seriously hurt; `None` if the prior
+    /// is not that of the field, or if too few draws lead there.
     pub if_injured: Option<DrawsSummary>,
 }
 
@@ -202,7 +202,7 @@ impl EstimatedOutput {
 /// The results that [`estimate()`] gives for a case.
 ///
 /// # Errors
-/// [`Failure`] where the case lacks something, or where a distribution makes no sense.
+/// [`Failure`] if the case lacks something, or if a distribution is invalid.
 pub fn estimate_outputs(case: &Case) -> Result<Vec<Output>, Failure> {
     let setup = setup::of(case, None)?;
     Ok(outputs::of(&setup.impacts))
@@ -250,7 +250,7 @@ impl Estimated {
         self.outputs.iter().position(|found| found.output == output)
     }
 
-    /// What it says of a result.
+    /// The result for an output.
     #[must_use]
     pub fn output(&self, output: Output) -> Option<&EstimatedOutput> {
         self.outputs.get(self.place(output)?)
@@ -398,8 +398,8 @@ pub fn injury(prior: SeverityPrior) -> Option<InjuryRisk> {
     (prior == SeverityPrior::SeriousInjury).then_some(InjuryRisk::SERIOUS)
 }
 
-/// (–) an answer that misses a piece of evidence by more than this many of its errors does not agree with it:
-/// a normal error exceeds this once in 16,000.
+/// (–) an answer that misses a piece of evidence by more than this many of the piece's standard errors does
+/// not agree with it: a normal error exceeds this once in 16,000.
 pub const MISSED: f64 = 4.0;
 
 /// The keys of the evidence in use with a number that is off by more than [`MISSED`] errors in most draws: no

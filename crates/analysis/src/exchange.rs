@@ -147,7 +147,7 @@ impl Exchange {
     }
 }
 
-/// The speeds that momentum alone gave, beside which the impact by the law is only a check.
+/// The speeds that momentum alone gave; the impact by the law is then only a check.
 pub(crate) fn by_momentum(both: Option<&BothFound>) -> Option<&BothFound> {
     both.filter(|both| !both.is_by_crush())
 }

@@ -1,4 +1,4 @@
-//! The speed that a case gives of a vehicle, in whichever of its forms.
+//! The speed that a case gives for a vehicle, in any of its forms.
 
 use inputs::{Case, CourseForm, Dimension, Quantity, Velocity};
 use pim_core::{Motion, VehicleId};
@@ -6,14 +6,13 @@ use real::principal_angle;
 
 use crate::impact::speed_along;
 
-/// What the velocity of a vehicle says, whether it is given as a speed, as a speed with a sideslip or as a
-/// vector.
+/// Speed and direction of a vehicle, whether given as a speed, as a speed with a sideslip or as a vector.
 #[derive(Clone, Copy)]
 pub(crate) struct GivenSpeed {
     /// (m/s) along the course: negative backward.
     pub(crate) speed: f64,
-    /// (rad) the direction of travel, or of a vehicle that moves backward the opposite one; `None` if the
-    /// case gives no heading.
+    /// (rad) the direction of travel or, if the vehicle moves backward, its opposite; `None` if the case
+    /// gives no heading.
     pub(crate) course: Option<f64>,
 }
 
@@ -32,7 +31,7 @@ impl GivenSpeed {
         })
     }
 
-    /// The same of a vehicle whose speed is not to be found.
+    /// The same for a vehicle whose speed is not to be found.
     pub(crate) fn of_known(case: &Case, id: VehicleId) -> Option<Self> {
         let is_sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if is_sought { None } else { Self::of(case, id) }

@@ -25,15 +25,15 @@ pub(crate) enum Goal {
     Speed,
     /// Both speeds, or one without damage, by how the vehicles left the impact.
     BothSpeeds,
-    /// What the impact does; both speeds are given.
+    /// The outcome of the impact; both speeds are given.
     Impact,
     /// The motion after the impact, alone.
     Motion,
 }
 
 impl Goal {
-    /// A case with `[reconstruct]` asks for what that finds, one with something after the impact and without
-    /// `[impact]` for the motion, and every other one for the impact.
+    /// A case with `[reconstruct]` asks for what that table names, a case with data after the impact and
+    /// without `[impact]` for the motion, and any other case for the impact.
     pub(crate) fn of<T>(case: &Case<T>) -> Self {
         match &case.reconstruct {
             Some(_) if case.is_by_momentum() => Self::BothSpeeds,
@@ -65,21 +65,21 @@ impl Goal {
     }
 }
 
-/// What the outputs of a case are read from.
+/// The answer from which the outputs of a case are read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Answer<T = f64> {
     /// (m/s) the speeds found.
     pub(crate) speeds: [Option<T>; 2],
     /// The impact.
     pub(crate) outcome: Option<Outcome<T>>,
-    /// What momentum implies, where it gave the speeds: the impact is then not that of a law.
+    /// The implications of momentum, if it gave the speeds: the impact is then not that of a law.
     pub(crate) implied: Option<Implied<T>>,
-    /// The way of each vehicle from the impact to rest.
+    /// The path of each vehicle from the impact to rest.
     pub(crate) ways: [Option<Way<T>>; 2],
 }
 
 impl Answer {
-    /// That of a finished analysis.
+    /// The answer of a finished analysis.
     pub(crate) fn of(analysis: &Analysis) -> Self {
         let mut speeds = [None; 2];
         if let Some(found) = &analysis.found {
@@ -101,7 +101,7 @@ impl Answer {
     }
 }
 
-/// Where the numbers come from that an equation has to be solved for.
+/// The source of the numbers for which an equation has to be solved.
 pub(crate) trait Solver<T: Real>: Ways<T> {
     /// The speed of a problem, and the impact at it.
     fn speed(&mut self, problem: &Problem<T>) -> Result<(T, Outcome<T>), Failure>;
@@ -116,8 +116,9 @@ pub(crate) trait Solver<T: Real>: Ways<T> {
 
 /// Answers a case.
 ///
-/// Plain numbers and those with derivatives take the same way. Only what an equation has to be solved for
-/// differs: [`Search`] solves it, [`Known`] takes the solution and hands out how well the equation holds.
+/// The code for plain numbers and for those with derivatives is the same. Only the unknowns of an equation
+/// differ: [`Search`] solves for them, whereas [`Known`] takes the solution and keeps the residual of the
+/// equation.
 pub(crate) fn answer<T: Real>(
     goal: Goal,
     case: &Case<T>,
@@ -169,7 +170,7 @@ pub(crate) fn posed<T: Real>(input: ReconstructionInput<T>) -> Result<Problem<T>
     })
 }
 
-/// An impact, and the ways to rest after it.
+/// An impact, and the paths to rest after it.
 fn carried_on<T: Real>(
     case: &Case<T>,
     outcome: Outcome<T>,
@@ -206,14 +207,14 @@ pub(crate) fn length<T: Real>(vector: Vector2<T>) -> T {
 /// Solves each equation, near to the solution at the central values.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Search {
-    /// What leads to the rests of the vehicles at the central values.
+    /// The starts that lead to the rest positions of the vehicles at the central values.
     near: [Option<Near>; 2],
     /// Whether they left straight towards their rests there.
     straight: [bool; 2],
     /// Whether they left as one body there.
     as_one: bool,
-    /// Whether more than one pair of speeds has the momentum and the crush energy; sought only where it is
-    /// asked for, as all speeds take longer than one.
+    /// Whether more than one pair of speeds has the momentum and the crush energy; only determined on
+    /// request, because finding all speeds takes longer than finding one.
     pub(crate) several: Option<bool>,
 }
 
@@ -283,8 +284,8 @@ impl Ways<f64> for Search {
         scene.to_rest(vehicle, way, start, &Control::default(), |_| {})
     }
 
-    /// By the turn that the solution at the central values has: of two starts that lead to the same rest, one
-    /// the short way and one the long way round, a sample that is only a little different has the same.
+    /// Near the solution at the central values: if two starts lead to the same rest position, one turning the
+    /// short way and one the long way round, a slightly different sample takes the same one.
     fn back(
         &mut self,
         vehicle: VehicleId,
@@ -320,8 +321,8 @@ impl Ways<f64> for Search {
     }
 }
 
-/// (rad) the heading at rest with its full turns: where the case does not tell these, those of another that
-/// is not half a turn off.
+/// (rad) the heading at rest with its full turns; if the case does not give these, the heading is within half
+/// a turn of `beside` (rad).
 fn heading_at_rest<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>, beside: f64) -> T {
     let heading = rest.heading.heading(way.heading);
     if rest.heading.turns_are_known() {
@@ -332,7 +333,7 @@ fn heading_at_rest<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>, beside: 
     heading + T::from(TAU * turns)
 }
 
-/// (SI) what the equations of an analysis were solved for, in the order in which [`Known`] needs it.
+/// (SI) the solutions of the equations of an analysis, in the order in which [`Known`] needs them.
 pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
     let mut unknowns = Vec::new();
     let found = analysis.travel.iter().flatten().filter(|travel| travel.origin.is_by_rest());
@@ -348,12 +349,12 @@ pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
     unknowns
 }
 
-/// The integration of a path with derivatives that takes `time` (s): in steps down to the rest, and in far
-/// shorter ones than the path itself needs. Its error grows with the square of the steps that meet a kink of
-/// the forces, but that of the derivatives with their length, and the search back from a rest magnifies it.
-/// Of 60 random motions on the level, the derivatives of the motion at the start by the rest and by the
-/// radius of gyration then differ from those in steps of 0.5 ms by 0.006 % of their size in the median and by
-/// 0.3 % at most; with the steps of the path by 0.3 % and 200 %.
+/// The integration of a path with derivatives that takes `time` (s): in steps until the vehicle rests, which
+/// are far shorter than the path itself needs. The error of a path grows with the square of the steps that
+/// meet a kink of the forces, but that of its derivatives with their length, and the search back from a rest
+/// position magnifies it. Of 60 random motions on the level, the derivatives of the motion at the start by
+/// the rest and by the radius of gyration then differ from those in steps of 0.5 ms by 0.006 % of their size
+/// in the median and by 0.3 % at most; with the steps of the path by 0.3 % and 200 %.
 fn differentiated(time: f64) -> Control {
     // A vehicle that rolls for minutes takes few more of them than one that spins to rest in five seconds.
     let longer = (time / 5.0).max(1.0);
@@ -366,7 +367,7 @@ fn differentiated(time: f64) -> Control {
     }
 }
 
-/// Takes the solutions, and notes by how much each equation is not met.
+/// Takes the solutions, and keeps the residual of each equation.
 #[derive(Debug)]
 pub(crate) struct Known<'a> {
     unknowns: std::slice::Iter<'a, Traced>,
@@ -439,7 +440,7 @@ impl Ways<Traced> for Known<'_> {
         let start = Motion { velocity, yaw_rate: self.next() };
         let found = self.follow(vehicle, scene, way, start)?.rest;
         if self.straight[vehicle.index()] {
-            // V along the line to the rest, no yaw, and a way as long as the measured one
+            // V along the line to the rest, no yaw, and a path as long as the measured one
             let apart = rest.position - way.position;
             self.residuals.extend([
                 velocity.x * apart.y - velocity.y * apart.x,

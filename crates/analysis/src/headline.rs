@@ -38,8 +38,9 @@ fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
     })
 }
 
-/// Whether any of the evidence that an answer leaves aside can be weighed with the rest: momentum of point
-/// masses needs less, and a rest to which nobody can follow the vehicle tells nothing.
+/// Whether any of the evidence that an answer does not use can be weighed with the rest: a case for momentum
+/// of point masses may lack data for that, and a rest position is no evidence if the vehicle cannot be
+/// followed to it.
 pub(crate) fn can_be_weighed(case: &Case, left_aside: &[String]) -> bool {
     if left_aside.is_empty() {
         return false;
@@ -142,7 +143,7 @@ pub struct Solution {
     pub delta_v: [Option<f64>; 2],
     /// Which of them, the speeds and the ΔV, lie outside the 95 % interval of all the evidence.
     pub outside: [[bool; 2]; 2],
-    /// (m/s) the speeds that the case gives and that these differ from.
+    /// (m/s) the given speeds from which these differ.
     pub differs_from: [Option<f64>; 2],
     /// Its checks that fail, only for the solution that the analysis details.
     pub failed: Vec<Check>,
@@ -209,7 +210,7 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
     solutions
 }
 
-/// (–) of the greater of a given speed and 1 m/s: less is the rounding of what was written.
+/// (–) of a given speed, or of 1 m/s if that is greater: a smaller difference is rounding in the case.
 const SAME_SPEED: f64 = 0.01;
 
 /// An exact solution, before it is compared with all the evidence.

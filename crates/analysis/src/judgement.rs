@@ -30,8 +30,8 @@ pub struct Judgement {
     /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to
     /// those of a reader.
     pub warnings: Vec<Warning>,
-    /// The records of recorders under their keys, where there are several of a vehicle, or where the only
-    /// one is hardly of this impact.
+    /// The records of recorders under their keys, if a vehicle has several, or if its only one is probably
+    /// not of this impact.
     pub records: Vec<(String, OfImpact)>,
 }
 
@@ -41,7 +41,7 @@ pub struct Judgement {
 pub struct Ability {
     /// The purpose.
     pub purpose: Purpose,
-    /// The one of the first three purposes whose answer it uses; the purpose itself for those three.
+    /// Which of the first three purposes supplies its answer; the purpose itself for those three.
     pub on: Purpose,
     /// The values that are missing or contradict each other, if any.
     pub obstacle: Option<Faults>,

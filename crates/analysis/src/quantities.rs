@@ -164,13 +164,15 @@ fn of_movers(analysis: &Seen) -> Option<&BothFound> {
     analysis.both.as_ref().filter(|_| move_both)
 }
 
-/// (J) what a law with a moment takes for it, or what momentum leaves to neither of the other works.
+/// (J) the work of the moment under a law with one or, by momentum, the loss that neither of the other works
+/// explains.
 fn moment_work(analysis: &Seen) -> Option<f64> {
     let work = at_contact(analysis).and(analysis.exchange())?.energy.moment_work;
     (work != 0.0 || moment(analysis).is_some()).then_some(work)
 }
 
-/// A function, as a closure of this size would be called, and so compiled for the baseline instruction set.
+/// A function, because a closure of this size would not be inlined, and so compiled for the baseline
+/// instruction set.
 #[inline(always)]
 fn pdof_of_impact<T: Real>(outcome: &Outcome<T>, id: VehicleId) -> T {
     outcome.pdof()[id.index()]

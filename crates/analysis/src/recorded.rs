@@ -1,4 +1,4 @@
-//! What the recorders of a case say alone, and which of their records is of its impact.
+//! The readings of the recorders of a case on their own, and which of their records is of its impact.
 
 use std::borrow::Cow;
 
@@ -15,14 +15,14 @@ use recorder::{
 use crate::damage;
 use crate::failure::Failure;
 
-/// What the recorders of both vehicles say alone.
+/// The readings of the recorders of both vehicles on their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderReading {
     /// Of vehicles 1 and 2; `None` for one without a table.
     pub vehicles: [Option<VehicleReading>; 2],
 }
 
-/// What the recorder of a vehicle says alone: one record of it, that of the impact if it has several.
+/// The reading of a vehicle's recorder on its own: one of its records, that of the impact if it has several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VehicleReading {
     /// Whether this record is of the impact of the case.
@@ -54,9 +54,9 @@ pub struct VehicleReading {
 pub struct OfImpact {
     /// Its place among several, from 1; `None` if it is the only one.
     pub number: Option<usize>,
-    /// (s) its time since the record before it, as the recorder has it.
+    /// (s) its time since the record before it, as the recorder stored it.
     pub since_previous: Option<f64>,
-    /// What tells it apart.
+    /// The data that distinguish it from other records.
     pub event: EventRecord,
     /// The impact as the damage shows it.
     pub impact: KnownImpact,
@@ -64,15 +64,15 @@ pub struct OfImpact {
     pub probability: f64,
     /// Why it cannot be, if it cannot.
     pub cannot: Option<Mismatch>,
-    /// Of the other impacts that the case has the one of which it is most probably: its place from 1, and the
-    /// probability.
+    /// The other impact of the case to which it most probably belongs, if there is one: its place from 1, and
+    /// the probability.
     pub other: Option<(usize, f64)>,
     /// Whether it is taken for the record of this impact: the only one is, and of several the one that is
     /// more likely than not.
     pub is_taken: bool,
 }
 
-/// (1) the least probability with which one of several records is taken for that of the impact.
+/// (1) the smallest probability with which one of several records is taken for that of the impact.
 const TAKEN: f64 = 0.5;
 
 /// (rad) the PDOF that the case gives for a vehicle.
@@ -95,7 +95,7 @@ fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
         return KnownImpact { force_direction: given, delta_v: None };
     };
     let pdof = vehicles[id.index()].crash3_pdof();
-    // What a vehicle alone struck is unknown, and so is its ΔV.
+    // It is unknown what a lone vehicle struck, and so is its ΔV.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let found = damage::crash3(&vehicles, basis, restitution).ok().flatten().filter(|_| !alone);
     let delta_v = found.map(|found| {
@@ -105,7 +105,7 @@ fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
     KnownImpact { force_direction: given.or(pdof), delta_v: delta_v.filter(|delta_v| *delta_v > 0.0) }
 }
 
-/// The records of a vehicle, each as that of a recorder with one, and whether it is of the impact.
+/// The records of a vehicle, each as a recorder with that record only, and whether it is of the impact.
 fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, OfImpact)> {
     let impact = known_impact(case, id);
     let stored: Vec<Recorder> = if recorder.records.is_empty() {
@@ -147,14 +147,15 @@ impl OfImpact {
         self.number.map_or_else(|| table.clone(), |number| format!("{table}.records[{number}]"))
     }
 
-    /// Whether a reader is to know: where there are several records, or the only one is hardly of the impact.
+    /// Whether a reader has to be told: if there are several records, or if the only one is probably not of
+    /// the impact.
     #[must_use]
     pub fn is_told(&self) -> bool {
         self.number.is_some() || self.probability < RecordMatch::UNLIKELY
     }
 }
 
-/// The records of a case under their keys, as far as a reader is to know whether they are of its impact.
+/// The records of a case under their keys, as far as a reader has to be told whether they are of its impact.
 pub(crate) fn told_records(case: &Case) -> Vec<(String, OfImpact)> {
     let of_vehicle = |id: VehicleId| {
         let recorder = case.vehicles[id.index()].recorder.as_ref();
@@ -165,8 +166,8 @@ pub(crate) fn told_records(case: &Case) -> Vec<(String, OfImpact)> {
     VehicleId::ALL.into_iter().flat_map(of_vehicle).collect()
 }
 
-/// The case with the record of its impact alone in each recorder, and the keys of the records that it leaves
-/// aside. A recorder of which no record is likely to be of the impact is left out.
+/// The case with only the record of its impact in each recorder, and the keys of the other records. A
+/// recorder without a record that is likely to be of the impact is left out.
 pub(crate) fn with_records_of_impact(case: &Case) -> (Cow<'_, Case>, Vec<String>) {
     let several = |id: &VehicleId| {
         case.vehicles[id.index()].recorder.as_ref().is_some_and(|recorder| !recorder.records.is_empty())
@@ -187,7 +188,7 @@ pub(crate) fn with_records_of_impact(case: &Case) -> (Cow<'_, Case>, Vec<String>
     (chosen, aside)
 }
 
-/// (m/s) 5 km/h: of a smaller ΔV its rounding to 1 km/h decides the direction.
+/// (m/s) 5 km/h: the direction of a smaller ΔV depends mainly on its rounding to 1 km/h.
 const LEAST_OF_DIRECTION: f64 = 5.0 / 3.6;
 
 /// The keys of recorder files that were not read.
@@ -213,7 +214,7 @@ fn unread(case: &Case) -> Option<(String, String)> {
     })
 }
 
-/// Refuses a case whose recorder is in a file that nobody read.
+/// Refuses a case with recorder data in a file that was not read.
 pub(crate) fn is_read(case: &Case) -> Result<(), Failure> {
     let Some((key, name)) = unread(case) else { return Ok(()) };
     let reason = format!("the file {name} of the recorder was not read: a case alone has no folder");
@@ -223,7 +224,7 @@ pub(crate) fn is_read(case: &Case) -> Result<(), Failure> {
     Err(Failure::Case(Fault { key, kind, advice: Some(advice) }.into()))
 }
 
-/// What the recorders of a case say alone.
+/// The readings of the recorders of a case on their own.
 ///
 /// # Errors
 /// [`Failure`] if no vehicle has a table of a recorder.
@@ -243,7 +244,7 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         };
         let mut readings: Vec<VehicleReading> =
             records(case, id, recorder).into_iter().map(of_record).collect();
-        // Where none is taken, the first leads.
+        // If none is taken, the first leads.
         let leading = readings.iter().position(|one| one.of_impact.is_taken).unwrap_or(0);
         let first = readings.remove(leading);
         Some(VehicleReading { others: readings, ..first })

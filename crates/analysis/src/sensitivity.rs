@@ -27,7 +27,7 @@ const CENTIMETRE: f64 = 0.01;
 pub struct Sensitivity {
     /// The answer itself.
     pub nominal: Analysis,
-    /// The derivatives of a reconstruction and of the ways to rest, for each output from the most to the
+    /// The derivatives of a reconstruction and of the paths to rest, for each output from the most to the
     /// least influential input; empty for a case without `[reconstruct]` whose vehicles are not followed to
     /// rest.
     pub derivatives: Vec<Derivative>,
@@ -122,7 +122,7 @@ impl Default for Sweep {
 
 /// As [`sensitivity`](crate::sensitivity()).
 pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
-    // One vehicle alone has neither a speed nor a force to vary: the impact says what is missing.
+    // One vehicle alone has neither a speed nor a force to vary: solving the impact reports what is missing.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let nominal = match Goal::of(case) {
         Goal::Motion => solve::motion(case)?,
@@ -149,7 +149,7 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
         }
     }
-    // What numbers share follows from their own rows.
+    // The effect of a shared error follows from the rows of the numbers that share it.
     derivatives.retain(|derivative| !matches!(derivative.input.origin, Origin::Shared(_)));
     // A relative change of zero is undefined.
     derivatives.retain(|derivative| derivative.output_value != 0.0);
@@ -161,14 +161,14 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
     Ok(derivatives)
 }
 
-/// (–) the greatest share of a speed that was found by which one degree of an angle changes it without a
-/// warning.
+/// (–) the largest change of a speed by one degree of an angle that raises no warning, as a share of that
+/// speed.
 pub const MOST_BY_DEGREE: f64 = 0.1;
-/// (m/s) a change by one degree that is no more than this is none to warn of.
+/// (m/s) a change by one degree that is no larger than this never raises a warning.
 pub const LEAST_BY_DEGREE: f64 = 1.0;
 
-/// The angle without a range of which one degree changes a speed that was found most, if it does so by a lot.
-/// Ways to rest are left aside: their speeds follow from lengths.
+/// Warns of the angle without a range on which a speed that was found depends most, if one degree changes it
+/// considerably. Cases with paths to rest are exempt: their speeds follow from lengths.
 pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning> {
     let is_found = analysis.found.is_some() || analysis.both.is_some();
     if !is_found || analysis.travel.iter().any(Option::is_some) {
@@ -198,7 +198,7 @@ pub(crate) fn gradients(
 ) -> Result<Vec<Gradient>, Failure> {
     let inputs = case.variables();
     let mut numbers: Vec<f64> = inputs.iter().map(|input| input.number).collect();
-    // What equations were solved for are inputs too: the last.
+    // The unknowns of the equations are inputs too: the last ones.
     numbers.extend(goal::unknowns(nominal));
     let mut gradients = real::gradients(&numbers, |numbers| {
         let (numbers, unknowns) = numbers.split_at(inputs.len());
@@ -236,8 +236,8 @@ pub(crate) fn gradients(
 /// How the unknowns x that make residuals R(x, p) zero follow the inputs p, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p: a row
 /// for each unknown.
 ///
-/// Gauss's elimination with scaled partial pivoting: some residuals are lengths, and some are energies. What
-/// cannot be solved is not finite.
+/// Gauss's elimination with scaled partial pivoting: some residuals are lengths, and some are energies. A
+/// result that cannot be solved for is not finite.
 fn unknowns_by_inputs(residuals: Vec<Gradient>, inputs: usize) -> Vec<Vec<f64>> {
     // Of each residual, its derivatives by the unknowns and by the inputs.
     let mut rows: Vec<(Vec<f64>, Vec<f64>)> = residuals
@@ -313,9 +313,9 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
                 return Ok(Vec::new());
             }
             damage.pdof = pdof;
-            // α = PDOF − PDOF of a square hit: what the file gives in its place says how the damaged surface
-            // stands, which the force does not turn. A given arm stays, as no point is known that would give
-            // it in another direction.
+            // α = PDOF − PDOF of a square hit: an α in the file thus determines how the damaged surface is
+            // oriented, which does not turn with the force. A given arm stays, as no point is known from
+            // which to compute it for another direction.
             damage.oblique_angle = damage.oblique_angle.map(turned);
         }
         let vehicles = damage::assess(subjects, [None, None])?;

@@ -42,7 +42,7 @@ pub(crate) const YAW_RATE_SHARE: f64 = 0.15;
 pub(crate) const YAW_RATE_ERROR: f64 = 0.2;
 /// (–) two combinations of starts are both reported if the less likely one has more weight than this.
 pub(crate) const COMPARABLE_WEIGHT: f64 = 0.2;
-/// (m/s) and if a speed differs by more than 12 km/h, about the error of a speed by momentum.
+/// (m/s) and only if a speed differs by more than 12 km/h, about the error of a speed by momentum.
 pub(crate) const MATERIAL_SPEED: f64 = 12.0 / 3.6;
 /// (–) how far a path may end from the measured rest position, as a share of the path.
 pub(crate) const REST_MISSED: f64 = 0.05;

@@ -142,7 +142,8 @@ pub enum Warning {
         /// (rad) direction in which the vehicle travelled.
         course: f64,
     },
-    /// A vehicle of two that left as one wreck is followed to its rest as if nothing hung on it.
+    /// The vehicles left as one wreck, but this one is followed to its rest position as if nothing were
+    /// attached to it.
     WreckAlone {
         /// The vehicle.
         vehicle: VehicleId,
@@ -350,7 +351,7 @@ pub enum Warning {
         /// and in the opposite direction.
         sides: [JumpSide; 2],
     },
-    /// One degree of an angle without a range changes a speed that was found a lot.
+    /// One degree of an angle without a range considerably changes a speed that was found.
     HangsOnAngle {
         /// The vehicle with that speed.
         vehicle: VehicleId,
@@ -846,7 +847,8 @@ fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Warns of skid marks on ground with a grade. Friction of their own may contain that grade.
+/// Warns of skid marks on ground with a grade. A friction that is given for the marks may already include
+/// that grade.
 pub(crate) fn of_grade(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
     let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
     let skid = case.vehicles[vehicle.index()].before.as_ref().and_then(|before| before.skid.as_ref());
@@ -855,7 +857,7 @@ pub(crate) fn of_grade(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warni
     }
 }
 
-/// (rad) 45°: marks bend, but a vehicle does not come from another side than they do.
+/// (rad) 45°: marks may be curved, but not so much that the vehicle travelled in quite another direction.
 const SKID_ASTRAY: f64 = FRAC_PI_4;
 
 fn of_skid(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
@@ -1182,7 +1184,7 @@ pub(crate) fn of_travel(
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
-        // Where the impulse selects one of them, the others count that agree with it about equally.
+        // If the impulse selects one of them, only the others that agree with it about equally count.
         let agrees = |other: &Motion| {
             both.is_none_or(|both| {
                 let mut rivals = both.rivals();

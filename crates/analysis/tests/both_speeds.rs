@@ -44,7 +44,8 @@ fn a_rear_end_collision_follows_from_slides_momentum_and_crush() {
     for (i, travel) in analysis.travel.iter().enumerate() {
         let travel = travel.as_ref().unwrap();
         assert_eq!(travel.origin, TravelOrigin::StraightRest);
-        // The rolling car turns a little on its way, so that it rests some millimetres off its straight line.
+        // The rolling car turns a little on its path, so that it comes to rest some millimetres off the
+        // straight line.
         assert_near(travel.start.motion.velocity.norm(), left[i], 0.005 * left[i]);
     }
     // Momentum along the road, by the velocities that were found.
@@ -92,7 +93,7 @@ fn point_masses_travel_with_their_sideslip() {
             }
         }
     }
-    // One speed beside a known one, which fits: nothing across the course of vehicle 1 is left over.
+    // One speed with a known one that fits: no momentum across the course of vehicle 1 is left over.
     let one = at(20.0, "\"vehicle1.speed\"", "z-up");
     assert_near(speeds(&one)[0], 20.0 * std::f64::consts::FRAC_1_SQRT_2 / 20.0_f64.to_radians().cos(), 1e-3);
     assert!(one.checks.iter().all(Check::passed), "{:?}", one.checks);
@@ -142,8 +143,8 @@ restitution = 0.1
 tangential = { friction = 0.6 }
 "#;
 
-/// The rests of the forward run lead back to the speeds that were chosen. The turns are told: a heading alone
-/// fits several motions.
+/// The rests of the forward run lead back to the speeds that were chosen. The turns are given: a heading
+/// alone fits several motions.
 #[test]
 fn rests_of_an_impact_lead_back_to_its_speeds() {
     let forward = impact(&read(CROSSING)).unwrap();
@@ -170,8 +171,9 @@ fn rests_of_an_impact_lead_back_to_its_speeds() {
     assert!(back.checks.iter().filter(|check| check.is_of_momentum()).all(Check::passed));
 }
 
-/// Several motions lead to one rest of which only the heading is known. A place on the way of any of them,
-/// with the heading there, picks out this one; a heading that is off is told by how much.
+/// Several motions lead to one rest if only its heading is known, without the full turns. A point on the path
+/// of any of them, with the heading there, picks out that motion; if that heading is off, the result shows by
+/// how much.
 #[test]
 fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
     let forward = impact(&read(CROSSING)).unwrap();
@@ -238,7 +240,7 @@ fn a_mark_is_held_against_the_path_of_its_wheel() {
     let way = forward.travel[0].as_ref().unwrap();
     let turn = way.rest.heading - way.start.heading;
     assert!(turn.abs() > 0.5, "{turn}");
-    // The same way followed closely, so that its places lie between those of the steps of the analysis.
+    // The same path, in shorter steps, so that its points lie between those of the steps of the analysis.
     let control = trajectory::Control { tolerance: 1e-8, longest_step: 0.005, ..Default::default() };
     let (ground, held) = (trajectory::Ground::level(way.friction), trajectory::Steer::Held(way.steer));
     let mut states = Vec::new();
@@ -284,7 +286,7 @@ fn a_mark_is_held_against_the_path_of_its_wheel() {
 }
 
 /// A car with locked wheels slides 10²/(2·0.7 g) = 7.284 m along x, so that a point 15 % of that to the side,
-/// or where the heading would make 15 % of it on the wheelbase, is just one of its path.
+/// or where the heading would make 15 % of it on the wheelbase, just counts as one on its path.
 #[test]
 fn a_point_that_the_way_misses_is_told() {
     let slid = 100.0 / (2.0 * 0.7 * G);
@@ -326,8 +328,8 @@ points = [{{ x = "2 m", y = "-1.1 m" }}, {{ x = "4 m", y = "{} m", heading = "{t
     }
 }
 
-/// m₁ v₁ = (p × ê₂)/(ê₁ × ê₂) with velocities that the case gives, where no ground is needed: headings 0° and
-/// 90°, so that each speed takes one component.
+/// m₁ v₁ = (p × ê₂)/(ê₁ × ê₂) with velocities that the case gives, so that no ground is needed; the headings
+/// are 0° and 90°, so that each speed is given by one component.
 #[test]
 fn given_velocities_need_no_ground() {
     let text = CROSSING
@@ -347,7 +349,8 @@ fn given_velocities_need_no_ground() {
     assert!(analysis.travel.iter().all(Option::is_none));
 }
 
-/// The loss by momentum, from the motions that the case gives, is shared out among the works without a rest.
+/// The loss by momentum, from the motions that the case gives, is divided among the works without a
+/// remainder.
 #[test]
 fn the_works_by_momentum_are_the_loss() {
     let told = "after = { speed = \"30 km/h\", direction = \"40 deg\", yaw_rate = \"30 deg/s\" }";
@@ -374,7 +377,7 @@ fn the_works_by_momentum_are_the_loss() {
     assert_near(works.iter().sum::<f64>(), loss, 1e-12 * loss);
 }
 
-/// A wreck of two vehicles moves as one, and one of them alone is followed to its rest.
+/// Two vehicles locked together move as one, and only one of them is followed to rest.
 #[test]
 fn a_wreck_that_is_followed_alone_is_told() {
     let of = |text: &str| {
@@ -500,8 +503,8 @@ fn the_limits_of_the_checks_are_those_of_the_directions_of_travel() {
     }
 }
 
-/// The impact by the law is only a check where momentum gives the speeds, so that no warning holds the damage
-/// against it. With ΔV = |V − v| of 1500 kg and 1400 kg, v_1 = 9 cos 40° + 14/15 · 10 cos 50° and
+/// The impact by the law is only a check where momentum gives the speeds, so that no warning compares the
+/// damage with it. With ΔV = |V − v| of 1500 kg and 1400 kg, v_1 = 9 cos 40° + 14/15 · 10 cos 50° and
 /// v_2 = 10 sin 50° + 15/14 · 9 sin 40°.
 #[test]
 fn what_momentum_gives_is_not_judged_by_the_impact_law() {
@@ -527,8 +530,8 @@ fn what_momentum_gives_is_not_judged_by_the_impact_law() {
     assert!(!analysis.checks.iter().any(is_of_law));
 }
 
-/// A force from straight ahead at C, 0.26 m to the left, turns vehicle 1 to the left; the case tells that it
-/// left turning to the right by 60 °/s, whatever the law would make of it.
+/// A force from straight ahead at C, 0.26 m to the left, turns vehicle 1 to the left; by the case, it left
+/// turning to the right by 60 °/s, whatever the law would give.
 #[test]
 fn the_turn_that_opposes_the_damage_is_the_told_one() {
     let [one, two] = LEFT;
@@ -541,7 +544,7 @@ fn the_turn_that_opposes_the_damage_is_the_told_one() {
     assert_near(turned.unwrap(), -std::f64::consts::FRAC_PI_3, 1e-12);
 }
 
-/// Speeds that momentum gives are found ones: of no such number can the unit be checked in the file. With
+/// Speeds by momentum are results: they have no unit in the file that could be checked. With
 /// 60 m/s after the impact, v_1 = 60 cos 40° + 14/15 · 60 cos 50° = 81.96 m/s and v_2 = 87.28 m/s; with and
 /// without an impact law.
 #[test]

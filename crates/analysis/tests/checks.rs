@@ -130,7 +130,7 @@ fn the_normal_work_has_to_be_the_crush_energy() {
         assert_eq!(basis, of_basis);
         assert!((on_other_basis - on_other).abs() < 1e-6, "{on_other_basis}");
     }
-    // A speed that was sought by the energy has it: no check.
+    // A speed that was found from the energy agrees with it by construction: no check.
     assert_eq!(check(&analysis(reconstruct, PAPER), "damage-energy"), None);
 }
 
@@ -150,7 +150,7 @@ fn the_line_of_action_has_to_turn_the_vehicle_as_the_impact_does() {
         let [first, second] = rotations[..] else { panic!("{rotations:?}") };
         assert_eq!(first.quantity, CheckedQuantity::Rotation { vehicle: VehicleId::One });
         assert_eq!(second.quantity, CheckedQuantity::Rotation { vehicle: VehicleId::Two });
-        // The opposite direction is held against the Altima's rotation, too.
+        // The opposite direction is compared with the Altima's rotation, too.
         assert_eq!((first.passed(), second.passed()), (passed, true), "{degrees}");
         // |r × P| = d |P| sin(22.4° − PDOF)
         let p = analysis.impact.as_ref().unwrap().outcome.impulse_vector;

@@ -1,4 +1,4 @@
-//! Which of several motions is taken, against impacts and motions whose truth is chosen.
+//! Which of several motions is taken, compared with impacts and motions whose truth is chosen.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #![allow(
@@ -49,8 +49,8 @@ tangential = {{ friction = 0.6 }}
     )
 }
 
-/// Only the heading at rest is told. The turn that the impact made is found among those that lead there, as
-/// it agrees with the impulse.
+/// Only the heading at rest is given. Among the turns that lead there, the one that the impact caused is
+/// found, as it agrees with the impulse.
 #[test]
 fn the_turn_that_the_impact_made_is_found() {
     let given = ["speed = \"15 m/s\"", "speed = \"12 m/s\""];
@@ -77,8 +77,8 @@ fn the_turn_that_the_impact_made_is_found() {
     assert!(turned_far > 0, "the least turn is the true one everywhere");
 }
 
-/// A vehicle that rolls off with a sideslip bends its way: it is brought back to its speed, or a check says
-/// by how much its way misses the rest.
+/// A vehicle that rolls off with a sideslip has a curved path: its speed is found again, or a check says by
+/// how much its path misses the rest.
 #[test]
 fn a_bent_way_is_brought_back_or_its_miss_is_told() {
     let with = |after: &str| {
@@ -107,8 +107,8 @@ fn a_bent_way_is_brought_back_or_its_miss_is_told() {
     }
 }
 
-/// A rest of which several motions are likely, and nothing that chooses among them: not beside a known speed,
-/// and not of point masses. The warning is that of the motion alone.
+/// A rest to which several likely motions lead, without data that choose among them: neither with a known
+/// speed nor of point masses. The warning is that of the motion alone.
 #[test]
 fn several_motions_are_told_where_nothing_chooses_among_them() {
     let after =

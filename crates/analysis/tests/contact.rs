@@ -190,7 +190,7 @@ proptest! {
         prop_assert_eq!(format!("{:?}", placed.checks), format!("{:?}", given.checks));
         let arms = |analysis: &Analysis| analysis.vehicles.each_ref().map(|vehicle| vehicle.moment_arm());
         prop_assert_eq!(arms(&placed), arms(&given));
-        // Only what is said of its origin differs.
+        // Only the statement of its origin differs.
         let mut warnings = placed.warnings.clone();
         warnings.retain(|warning| !matches!(warning, Warning::ContactPlaced { .. }));
         prop_assert_eq!(warnings.len() + 2, placed.warnings.len());
@@ -208,7 +208,7 @@ fn directions(side: usize) -> [[f64; 2]; 2] {
     }
 }
 
-/// A sample moves the point as an engineer would who writes it a little farther along the face or deeper.
+/// A sample moves the point as if an engineer had written it a little farther along the face or deeper.
 #[test]
 fn a_departure_moves_the_point_along_the_face_and_into_the_vehicle() {
     for (side, y) in (0..4).flat_map(|side| [(side, 1.0), (side, -1.0)]) {
@@ -438,7 +438,7 @@ fn each_analysis_says_what_it_does() {
     );
 }
 
-/// What the error of a missing point offers in its place is what places it.
+/// The keys that the error of a missing point offers instead do place the point.
 #[test]
 fn what_is_missing_to_place_the_point_is_said() {
     let advice = |text: &str| {
@@ -464,7 +464,7 @@ fn what_is_missing_to_place_the_point_is_said() {
         said.contains("give in its place `length`, `width` and `cg_to_front`, or `class`: C is"),
         "{said}"
     );
-    // The axis of a side is not what an offset counts from there.
+    // On a side, an offset is not counted from the vehicle's axis.
     let side = offset.replacen("side      = \"front\"", "side = \"right\"", 1);
     assert!(advice(&side).contains("the middle of the damage forward of the centre of gravity: C is"));
     // Where the crush is not known, nothing places the point.

@@ -1,5 +1,5 @@
 //! How often the intervals of `estimate` hold where both vehicles roll to rest, from the text of the case to
-//! the answer: crashes with a known truth, whose rests err as the default errors say.
+//! the answer: crashes with a known truth, whose rests have the default errors.
 
 #![allow(
     clippy::unwrap_used,
@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// The numbers of one crash, true or as the investigator has them.
+/// The numbers of one crash: the true ones or those of the investigator.
 struct Numbers {
     friction: f64,
     mass: [f64; 2],
@@ -57,7 +57,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    /// What the investigator writes down of every crash, where nothing is measured in it.
+    /// The values that the investigator writes down for every crash in which they are not measured.
     const USUAL: Self = Self {
         friction: 0.7,
         mass: [1450.0, 1280.0],
@@ -85,7 +85,8 @@ impl Numbers {
         }
     }
 
-    /// The same as found: the place of the contact is measured, all else is as usual.
+    /// The numbers as found by the investigator: the place of the contact is measured, all others are the
+    /// usual ones.
     fn found(&self, random: &mut Random) -> Self {
         let contact = self.contact.map(|place| place.map(|number| random.normal(number, 0.12)));
         Self { contact, ..Self::USUAL }

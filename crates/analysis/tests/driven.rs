@@ -1,4 +1,5 @@
-//! Avoidability where phases or a recorder tell how the vehicle came: against a simulation in small steps.
+//! Avoidability where the approach is given by phases or a recorder: compared with a simulation in small
+//! steps.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 #![allow(clippy::disallowed_methods, reason = "an independent simulation needs no equal bits")]
@@ -122,7 +123,7 @@ proptest! {
                         prop_assert!((of_run.collision_speed - speed).abs() < 2e-2, "{:?} {} {}", hypothesis, of_run.collision_speed, speed);
                         prop_assert!((of_run.arrival.unwrap() - arrival).abs() < 2e-3, "{:?} {:?} {}", hypothesis, of_run.arrival, arrival);
                     }
-                    // A hand's breadth from the place decides.
+                    // A few centimetres at the place decide.
                     Some(_) => {}
                     None => prop_assert!(of_run.collision_speed < 0.8, "{:?} {}", hypothesis, of_run.collision_speed),
                 }
@@ -142,7 +143,8 @@ proptest! {
                 let [_, arrival] = keeping(temporal).unwrap();
                 prop_assert!((arrival - (time + clears)).abs() < 2e-3, "{} {}", arrival, time + clears);
             }
-            // What avoids it, in space or in time: a little more does, and a little less does not.
+            // The deceleration or reaction that just avoids it, in space or in time: a slightly better one
+            // does, and a slightly worse one does not.
             let cleared = time + clears;
             let avoids = |at: Option<[f64; 2]>| at.is_none_or(|[_, arrival]| arrival > cleared - 2e-3);
             let fails = |at: Option<[f64; 2]>| at.is_some_and(|[_, arrival]| arrival < cleared + 2e-3);
@@ -308,7 +310,7 @@ fn the_table_of_a_recorder_is_the_actual_run() {
         .replace("[vehicle1]\n    speed = \"36 km/h\"\n", "")
         .replace("[avoid]", "[avoid]\nspeed = \"72 km/h\"");
     assert_eq!(asked(&given).unwrap().scene.actual, ActualRun::Responded);
-    // Without a speed at the impact, the table tells that too, with its error.
+    // Without a speed at the impact, it is taken from the table, too, with its error.
     let alone = asked(&RECORDED.replace("speed = \"36 km/h\"\n", "\n")).unwrap();
     assert_eq!(alone.speed_from, SpeedSource::Recorder);
     assert!((alone.scene.at_impact - 43.0 / 3.6).abs() < 2.0, "{}", alone.scene.at_impact);
@@ -329,7 +331,7 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     // the speed at the impact by it, of whose error slip and tyres are a part.
     let stored = 43.0 / 3.6;
     let [last, last_sd] = rolls(stored, 1.0);
-    // Nobody knows of the brake: as likely as not it was on, else ±1 m/s².
+    // The brake is not known: as likely as not it was on, else ±1 m/s².
     let hard = 0.75 * 9.80665_f64;
     let mean_a = -0.25 * hard;
     let var_a = 0.5 * (hard * hard / 12.0 + hard * hard / 4.0) + 0.5 * 4.0 / 12.0 - mean_a * mean_a;
@@ -375,8 +377,8 @@ fn the_record_of_the_impact_is_the_actual_run() {
     }
 }
 
-/// Before the demand, too, the eye is where the recorder tells: 1.5 s before the impact it has 23.75 m to go,
-/// and 0.4 s before that, 8 m more.
+/// Before the demand, too, the eye is where the recorder puts it: 1.5 s before the impact it has 23.75 m to
+/// go, and 0.4 s before that, 8 m more.
 #[test]
 fn the_eye_is_where_the_recorder_tells() {
     let found = asked(&RECORDED.replace("time = \"1.9 s\"", "time = \"0.5 s\"").replace(
@@ -393,7 +395,7 @@ fn the_eye_is_where_the_recorder_tells() {
     }
 }
 
-/// What cannot be is told with its key.
+/// An impossible value is reported with its key.
 #[test]
 fn phases_that_cannot_be_get_a_sentence() {
     let text = |phases: &str, lines: &str| {

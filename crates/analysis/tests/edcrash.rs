@@ -117,7 +117,7 @@ fn without_a_contact_point_the_arms_are_those_of_edcrash() {
     }
 }
 
-/// A vector tells the direction of a sought speed, forward and in reverse, and its size is not used.
+/// A vector gives the direction of a sought speed, forward and in reverse, and its size is not used.
 #[test]
 fn the_direction_of_a_vector_beside_a_sought_speed_counts() {
     let expected = reconstruct(&read(&separated())).unwrap().both.unwrap().speeds;
@@ -232,7 +232,7 @@ fn a_sideslip_turns_with_the_scene_and_changes_its_sign_with_the_axes() {
     close("restitution of the CGs", line.restitution.unwrap(), 0.251, 0.003);
 }
 
-/// Each vehicle starts from its own place, whatever the contact point says.
+/// Each vehicle starts from its own place, wherever the contact point is.
 #[test]
 fn the_path_to_rest_begins_at_the_place_of_the_cg() {
     let analysis = motion(&read(TUTORIAL)).unwrap();
@@ -258,7 +258,7 @@ fn the_path_to_rest_begins_at_the_place_of_the_cg() {
     close("y", -start.y, 13.75 + 1.6 * sin - 0.2 * cos - 0.5, 1e-9);
 }
 
-/// The impulse centres of the tutorial lie 0.32 m apart by hand; 2 cm less is no warning.
+/// The impulse centres of the tutorial lie 0.32 m apart by hand; 2 cm less raises no warning.
 #[test]
 fn contact_points_that_lie_apart_are_told() {
     let apart = |text: &str| {
@@ -351,7 +351,8 @@ fn the_steps_on_the_way_have_the_printed_forces() {
     }
 }
 
-/// The dialog "Damage" takes the Escort alone, as if into a barrier, with its sprung inertia: 69.19 km/h.
+/// The dialog "Damage" treats the Escort alone, as if it had hit a barrier, with its sprung inertia: 69.19
+/// km/h.
 #[test]
 fn one_vehicle_alone_has_the_printed_delta_v() {
     let text = with(
@@ -381,7 +382,7 @@ fn all_evidence_of_the_scene_holds_the_printed_speeds() {
         format!("{before}{after}")
     };
     let text = crush_of(&crush_of(TUTORIAL, "1"), "2");
-    // A contact point that both have by hand; the damage, which is left out, would tell it otherwise.
+    // A contact point of both by hand; the damage, which is left out, would place it otherwise.
     let text = with(
         &text,
         &[

@@ -1,6 +1,6 @@
-//! Damage of which only the energy is known, no damage at all, and one vehicle alone.
+//! Damage with only a known energy, no damage at all, and one vehicle alone.
 //!
-//! The expected values follow from the arithmetic that stands beside them.
+//! The expected values follow from the arithmetic next to them.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -159,7 +159,7 @@ fn what_an_object_took_is_no_evidence_without_the_crush_of_the_vehicle() {
     let without = of(&case.replace(crush, recorder));
     let unused = Unused { key: "vehicle2.deformation_energy".to_owned(), reason: UnusedReason::NoCrush };
     assert_eq!((without.unused, without.observed.crush), (vec![unused], None));
-    // A car without damage that counts leaves what the object took.
+    // Without damage of the car that counts, only the energy of the object is left.
     let undamaged = of(&case.replace(crush, "").replace("[vehicle1]\n", "[vehicle1]\ncrush = \"none\"\n"));
     assert_eq!((undamaged.unused, undamaged.energies), (vec![], [None, Some(EnergyMethod::OfObject)]));
     assert!(undamaged.observed.crush.is_some());
@@ -218,7 +218,7 @@ fn a_speed_by_categories_is_told_to_be_low() {
     let one = text.replace("{ category = 3 }", measured);
     assert!(matches!(of(&one)[..], [([false, true], _)]), "{:?}", of(&one));
     assert_eq!(of(&one.replace("{ category = 2 }", measured)), []);
-    // The case says itself what its energies show.
+    // The case itself gives the bias of its energies.
     assert_eq!(of(&format!("{text}\n[estimate]\ncrush_bias = \"80 %\"\n")), []);
     // Speeds by momentum do not use them.
     let crossing = include_str!("../../case/templates/si/intersection.toml");

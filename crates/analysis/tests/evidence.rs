@@ -1,4 +1,4 @@
-//! What the damage, the momentum and both together say, on collisions that are worked by hand.
+//! The results of damage, momentum and both together, for collisions that are worked by hand.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 #![allow(clippy::disallowed_methods, reason = "the standard library is the independent witness")]
@@ -103,7 +103,7 @@ fn all_evidence_of_one_collision_gives_it() {
 }
 
 /// Four times the crush energy is twice the closing speed: 30 m/s. The damage adds it to 5 m/s; momentum does
-/// not know of it; both share 30 m/s so that 1500 v_1 + 1000 v_2 = 35,000 N·s.
+/// not use it; together they divide 30 m/s so that 1500 v_1 + 1000 v_2 = 35,000 N·s.
 #[test]
 fn evidence_that_disagrees_is_told_apart() {
     let evidence = evidence(&in_line(ONE, "dissipated", 4.0, FIVE)).unwrap();
@@ -117,8 +117,8 @@ fn evidence_that_disagrees_is_told_apart() {
     close_pair("together, ΔV", together.delta_v, [14.4, 21.6]);
 }
 
-/// Without a speed, the damage tells how fast the vehicles closed, and momentum does not part the speeds; one
-/// that is given though both are sought serves either.
+/// Without a speed, the damage gives the closing speed, and momentum does not separate the speeds; if one is
+/// given although both are sought, either method uses it.
 #[test]
 fn in_line_momentum_or_damage_alone_need_a_speed() {
     let without = evidence(&in_line(BOTH, "dissipated", 1.0, "")).unwrap();
@@ -224,7 +224,7 @@ fn a_case_without_one_kind_of_evidence_has_no_choice() {
     assert!(evidence(&text).is_some() && evidence(&without).is_none());
 }
 
-/// Vehicles that are locked together leave alike, so that one departure tells that of both.
+/// Vehicles that are locked together depart with one velocity, so that one departure gives that of both.
 #[test]
 fn one_departure_of_locked_vehicles_is_that_of_both() {
     // 1500 kg at 20 m/s and 1000 kg at 5 m/s leave at 14 m/s: ½ · 600 · 15² = 67,500 J.

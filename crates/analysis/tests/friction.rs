@@ -68,8 +68,8 @@ fn friction_row(analysis: &Analysis) -> Correction {
     *rows.iter().find(|row| matches!(row.corrections[0], ObliqueCorrection::Friction(_))).unwrap()
 }
 
-/// Each vehicle's energy is corrected by its own limit, that of the other where it has none; so swapped
-/// vehicles give a swapped row.
+/// Each vehicle's energy is corrected with its own limit, or with that of the other if it has none; so
+/// swapped vehicles give a swapped row.
 #[test]
 fn the_friction_row_has_each_vehicle_s_own_limit() {
     let [none, low, high] = ["", "oblique = { friction = 0.05 }", "oblique = { friction = 0.8 }"];

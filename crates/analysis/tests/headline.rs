@@ -1,4 +1,4 @@
-//! Which answer leads a reconstruction, what an answer leaves aside, and what contradicts it.
+//! Which answer leads a reconstruction, which evidence it does not use, and which contradicts it.
 
 #![allow(
     clippy::disallowed_methods,
@@ -17,7 +17,7 @@ use pim_core::VehicleId;
 const REAR_END: &str = include_str!("../../../fixtures/rear-end.toml");
 const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
 const BOTH: &str = include_str!("../../../fixtures/rear-end-rest.toml");
-/// Few particles: what is asked here is plain.
+/// Few particles: these tests need no precision.
 const PLAN: EstimatePlan =
     EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
 
@@ -50,8 +50,8 @@ fn what_is_just_determined_is_solved_exactly() {
     }
 }
 
-/// A recorder of half the speed that the crush tells: the headline is where the recorder, whose error is
-/// small, puts it, and the exact solution stands beneath as one that lies outside.
+/// A recorder with half the speed by the crush: the headline is near the recorder's, whose error is small,
+/// and the exact solution is shown below it as lying outside.
 #[test]
 fn a_recorder_that_contradicts_the_crush_leads_to_a_weighed_headline() {
     let alone = reconstruct(&read(REAR_END)).unwrap().found.unwrap().speed;
@@ -120,7 +120,8 @@ fn a_certain_speed_that_the_answer_breaks_contradicts_it() {
     assert_eq!(told("at_least", 0.9), None);
 }
 
-/// How a vehicle left the impact is not used where the crush energy gives the speed, and is held against it.
+/// A velocity after the impact is not used where the crush energy gives the speed, and is compared with the
+/// result.
 #[test]
 fn what_is_known_after_the_impact_is_held_against_the_damage() {
     let plain = impact(&read(FORWARD)).unwrap();
@@ -152,9 +153,9 @@ fn a_judgement_says_what_each_command_leaves_aside() {
     }
     assert!(aside(&case, Purpose::Estimate).is_empty());
     assert_eq!(judge(&case).answers_most(), Some(Purpose::Reconstruct));
-    // Along one line momentum needs the crush energy, across it leaves it aside.
+    // Along one line momentum needs the crush energy; for crossing approaches it does not use it.
     assert!(aside(&read(BOTH), Purpose::Reconstruct).is_empty());
-    // One speed without damage is found from how they left, too.
+    // One speed without damage is found from the velocities after the impact, too.
     let told = "after = { speed = \"6 m/s\", direction = \"0 deg\" }";
     let one = format!(
         "[vehicle1]\nmass = \"900 kg\"\nheading = \"0 deg\"\n{told}\n[vehicle2]\nmass = \"2400 kg\"\n\
@@ -184,8 +185,8 @@ fn a_speed_is_along_the_direction_of_travel_however_the_body_is_turned() {
     assert!(contradicted(&turned.warnings).is_empty());
 }
 
-/// A vehicle that backs at 3 m/s: each exact solution with another speed of it says that it differs from what
-/// the case has, whether that is a speed or a vector.
+/// A vehicle that backs at 3 m/s: each exact solution with another speed for it reports the difference from
+/// the case, whether the case gives a speed or a vector.
 #[test]
 fn a_solution_that_differs_from_a_given_velocity_says_so() {
     let vehicle = |n: u8, rest: &str, side: &str, depth: u8, after: u8| {

@@ -1,5 +1,5 @@
-//! A case that is built in code is the case of the file that says the same: its answers and its faults are
-//! the same.
+//! A case that is built in code is the same as that of a file with the same data: its answers and its faults
+//! are the same.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -94,7 +94,7 @@ fn file(text: &str) -> CaseFile {
 #[test]
 fn a_case_built_in_code_is_that_of_the_file() {
     let (built, read) = (built(), file(PAPER).case);
-    // The file leaves words to their defaults; who builds a case says them all.
+    // The file leaves words to their defaults; a case that is built in code has them all.
     assert_eq!(built.left_out, LeftOut::default());
     assert_eq!(Case { left_out: read.left_out, ..built.clone() }, read);
     let [ours, theirs] = [&built, &read].map(|case| reconstruct(case).unwrap());
@@ -106,8 +106,8 @@ fn a_case_built_in_code_is_that_of_the_file() {
 /// A part of a vehicle that is taken out of a case, and its key.
 type Part = (&'static str, fn(&mut GivenVehicle));
 
-/// What is taken out of the first vehicle in code and in the file: the keys and texts of the faults are the
-/// same, and stand at a place in the file.
+/// If a part of the first vehicle is removed in code and in the file, the keys and texts of the faults are
+/// the same, and have a place in the file.
 #[test]
 fn what_a_case_built_in_code_lacks_is_told_as_in_a_file() {
     let parts: [Part; 6] = [
@@ -174,7 +174,7 @@ fn without(text: &str, i: usize, key: &str) -> String {
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// A contradiction that no reader lets pass is told as the reader tells it.
+/// A contradiction that no reader accepts is reported with the same text as by the reader.
 #[test]
 fn contradictions_are_told_as_the_reader_tells_them() {
     let fixed = GivenVehicle { fixed: true, ..GivenVehicle::default() };

@@ -1,4 +1,4 @@
-//! A case judged without solving it says what the solved one says, as far as it can.
+//! A case judged without solving it gets the same statements as the solved one, as far as possible.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -35,7 +35,7 @@ fn with_codes(warnings: &[Warning], codes: &[&str]) -> Vec<Warning> {
     warnings.iter().filter(|warning| codes.contains(&warning.code())).cloned().collect()
 }
 
-/// What needs neither the impulse nor the speed sought.
+/// Warnings that need neither the impulse nor the speed sought.
 const GEOMETRY: [&str; 12] = [
     "crush-plane",
     "contact-outside",
@@ -115,7 +115,7 @@ fn a_case_runs_what_it_has_all_for() {
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
 }
 
-/// What `check` says of a command is what the command does.
+/// The commands do what `check` says about them.
 #[test]
 fn what_runs_runs_and_what_does_not_lacks_something() {
     let sweep = Sweep { step: 0.1, steps: 1 };
@@ -137,8 +137,8 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
     }
 }
 
-/// An estimate has a row where it runs, and where the case has evidence that nothing else reads, with what it
-/// lacks.
+/// An estimate has a row if it can run; and, with the missing keys, if the case has evidence that no other
+/// command reads.
 #[test]
 fn evidence_is_judged() {
     let estimate = |judgement: &Judgement| {
@@ -155,7 +155,7 @@ fn evidence_is_judged() {
     assert_eq!(evidence, ["crush", "vehicle1.recorder.delta_v"]);
     let lacking = recorded.replace("heading     = \"180 deg\"\n", "");
     assert_ne!(lacking, recorded);
-    // It is the estimate that needs it, though it is missed where the impact is made.
+    // It is the estimate that needs it, although it is found to be missing where the impact is set up.
     let Some(Some(fault)) = estimate(&judge(&parsed(&lacking))) else { panic!() };
     assert_eq!(fault.key, "vehicle1.heading");
     let message = fault.message(|purpose| format!("`deltav {purpose}`"));
@@ -240,8 +240,8 @@ fn a_force_that_pulls_is_seen_only_where_its_direction_is_given() {
     let judgement = changed(PAPER, "side      = \"front\"", "side = \"front\"\npdof = \"120 deg\"");
     let pulled = with_codes(&judgement.warnings, &["side-not-pushed"]);
     assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: VehicleId::One, .. }, ..]), "{pulled:?}");
-    // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the
-    // impulse tells.
+    // A side half as stiff has half the force, if it is hit squarely; at what angle it is hit is known only
+    // from the impulse.
     assert_eq!(changed(PAPER, "77.5 lb^0.5/ft", "50 lb^0.5/ft").warnings, []);
 }
 
@@ -403,8 +403,8 @@ fn an_outline_that_is_not_given_is_that_of_the_nearest_class() {
     }
 }
 
-/// A case of one vehicle has no other of which anything could be assumed, even if it has a table of the
-/// impact.
+/// A case of one vehicle has no other one about which anything could be assumed, even if it has a table of
+/// the impact.
 #[test]
 fn nothing_is_assumed_of_a_vehicle_that_is_not_there() {
     let text = include_str!("../../../fixtures/one-vehicle.toml").to_owned()

@@ -1,5 +1,5 @@
-//! Momentum as it is asked: one speed known, a common velocity, a fixed object; against printed textbook and
-//! web cases and hand calculations.
+//! Momentum problems as they are usually posed: one speed known, a common velocity, a fixed object; compared
+//! with printed textbook and web cases and hand calculations.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #![allow(
@@ -104,7 +104,7 @@ fn a_standing_car_struck_in_line_needs_no_crush() {
         // They skidded as far from the same speed: e = 0.
         assert_near(value(&analysis, "impact.restitution", 0).unwrap(), 0.0, 1e-3);
         assert!(analysis.checks.iter().all(analysis::Check::passed), "{:?}", analysis.checks);
-        // Without damage there is no ΔV of CRASH3 to hold against it.
+        // Without damage there is no ΔV of CRASH3 to compare it with.
         assert!(!analysis.warnings.iter().any(|warning| warning.code() == "delta-v-differs"));
     }
 }
@@ -207,7 +207,7 @@ fn known_yaw_rates_give_restitution_and_loss() {
     assert!(!analysis.checks.iter().any(|check| {
         matches!(check.quantity, CheckedQuantity::MomentumRestitution { .. }) && !check.passed()
     }));
-    // One velocity of both CGs says the same without them: one body that did not turn.
+    // One velocity of both CGs means the same without yaw rates: one body that did not turn.
     let unturned = STUCK.replace(", yaw_rate = \"0 deg/s\"", "");
     let joined = answer(&unturned);
     assert!(joined.both.as_ref().unwrap().one_velocity && !analysis.both.as_ref().unwrap().one_velocity);
@@ -216,7 +216,7 @@ fn known_yaw_rates_give_restitution_and_loss() {
         assert_near(value(stuck, "impact.energy_loss", 0).unwrap(), loss, 1e-6);
         assert!(stuck.checks.iter().all(analysis::Check::passed), "{:?}", stuck.checks);
     }
-    // Of two velocities both are free to turn, and that is said.
+    // With two velocities both are free to turn, and that is stated.
     let free = answer(&unturned.replacen("19.80 m/s", "19.81 m/s", 1));
     assert!(!free.both.as_ref().unwrap().implied.is_yaw_known);
     assert_near(value(&free, "momentum.restitution", 0).unwrap(), 0.9118, 2e-3);
@@ -236,14 +236,14 @@ fn a_quantity_has_one_value() {
         let scene = ["delta_v.x", "delta_v.y"].map(|key| value(&analysis, key, i).unwrap());
         assert_near(scene[0].hypot(scene[1]), delta_v[i], 1e-9);
     }
-    // What has a key by momentum and one without has the same under both.
+    // A quantity with a key of momentum and one without has the same value under both.
     let twice = QUANTITIES.iter().filter_map(|row| {
         let key = row.key.strip_prefix("momentum.")?;
         Some((row.key, [key.to_owned(), format!("impact.{key}")].into_iter().find_map(|key| quantity(&key))?))
     });
     let mut compared = 0;
     for (key, plain) in twice {
-        // This one is what the impulse at C would make of the yaw rate, a check.
+        // This one is the yaw rate that the impulse at C would give, a check.
         if key == "momentum.final_yaw_rate" {
             continue;
         }
@@ -253,7 +253,7 @@ fn a_quantity_has_one_value() {
         compared += 1;
     }
     assert!(compared >= 8, "{compared}");
-    // What the law makes of the same speeds is another collision, and a check.
+    // The impact by the law at the same speeds is another collision, and a check.
     let law = analysis.law_check().unwrap();
     assert!((law.outcome.delta_v_magnitude()[0] - delta_v[0]).abs() > 5.0);
     assert!((law.outcome.energy.loss - loss).abs() > 1e5);
@@ -289,7 +289,7 @@ find = ["vehicle1.speed", "vehicle2.speed"]
     assert_near(value(&analysis, "impact.energy_loss", 0).unwrap(), loss, 1e-6);
     assert_near(value(&analysis, "impact.restitution", 0).unwrap(), 0.0, 1e-12);
     assert!(value(&analysis, "impact.tangential_work", 0).is_none());
-    // Without the key, the other's way out is missing, and the message names the key.
+    // Without the key, the other vehicle's departure is missing, and the message names the key.
     let error = reconstruct(&read(bare)).unwrap_err().to_string();
     assert!(error.contains("vehicle2.after.rest"), "{error}");
     let advice = format!("{:?}", read(bare).two_speeds().unwrap_err());
@@ -369,7 +369,7 @@ tangential = { ratio = 0.0 }
         &format!("after = {{ speed = \"{speed} m/s\", direction = \"{direction} deg\" }}\n"),
     ) + "[reconstruct]\nfind = \"vehicle1.speed\"\n";
     assert_near(answer(&back).both.unwrap().speeds[0], 12.0, 1e-9);
-    // Without rebound the way out says nothing, and a way out through the wall is none.
+    // Without rebound the departure gives no speed, and a departure through the wall is impossible.
     let plastic = wall.replace("restitution = 0.1", "restitution = 0");
     let error = reconstruct(&read(&plastic)).unwrap_err().to_string();
     assert!(error.contains("hardly depends on the speed before"), "{error}");
@@ -378,7 +378,7 @@ tangential = { ratio = 0.0 }
     assert!(error.contains("does not lead into the object"), "{error}");
 }
 
-/// A known speed beside crossing paths: one equation is left over, and is a check.
+/// A known speed with crossing paths: one equation is left over, and is a check.
 #[test]
 fn across_the_heading_of_the_sought_vehicle_momentum_is_a_check() {
     let crossing = |known: &str| {
@@ -441,11 +441,11 @@ fn no_vehicle_is_faster_than_the_limit() {
 #[test]
 fn what_is_missing_or_contradicts_is_said() {
     let text = in_line(["900 kg", "2400 kg"], "0 km/h", ["6 m/s", "6 m/s"]);
-    // Both sought in line without crush: the known speed is named as the way out.
+    // Both sought in line without crush: the message names the known speed as the solution.
     let both = text.replace("find = \"vehicle1.speed\"", "find = [\"vehicle1.speed\", \"vehicle2.speed\"]");
     let advice = format!("{:?}", read(&both).two_speeds().unwrap_err());
     assert!(advice.contains("find = \\\"vehicle1.speed\\\"` is enough"), "{advice}");
-    // Neither crush nor a way out: the help tells of momentum.
+    // Neither crush nor a departure: the help mentions momentum.
     let nothing = text.replace("after = { speed = \"6 m/s\", direction = \"0 deg\" }\n", "");
     let advice = format!("{:?}", read(&nothing).reconstruction().unwrap_err());
     assert!(advice.contains("without damage data momentum gives the speed"), "{advice}");

@@ -1,7 +1,7 @@
 //! Inputs that are wrong but have an answer all the same: each warning on both sides of its threshold, in
 //! both labellings, axes and senses of the crush plane's normal.
 //!
-//! The values follow from the arithmetic that stands beside each case.
+//! The values follow from the arithmetic next to each case.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -231,7 +231,7 @@ fn a_ratio_above_one() {
 
 const OUTLINE: &str = "length = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\"\n";
 
-/// A car of 1500 kg of which the damage is known, `of_car` and `of_crush` more of its keys.
+/// A car of 1500 kg with known damage; `of_car` and `of_crush` are further keys of it.
 fn damaged(car: VehicleId, of_car: &str, side: &str, width: f64, depths: &str, of_crush: &str) -> String {
     format!(
         "[vehicle{}]\nfixed = true\n[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n{of_car}[vehicle{car}.crush]\nside = \"{side}\"\n\
@@ -348,7 +348,7 @@ fn a_contact_point_behind_the_damage() {
                         }
                     }
                 }
-                // Without an outline nobody knows where the side is.
+                // Without an outline the position of the side is not known.
                 let [x, y] = outward.map(|share| share * 0.2);
                 assert_eq!(at(x, y, ""), []);
                 // The outline of a class will do: class 1 has its front 76.0 in from the CG, its rear 83.8 in
@@ -384,7 +384,8 @@ fn a_contact_point_measured_from_the_bumper() {
     }
 }
 
-/// In front of the face by more than 5 cm, a point lies outside of the outline, which damage alone tells too.
+/// In front of the face by more than 5 cm, a point lies outside of the outline; this warning needs the damage
+/// alone, too.
 #[test]
 fn a_contact_point_in_front_of_the_damage() {
     for (name, contact) in
@@ -547,7 +548,8 @@ fn each_kind_has_usual_sizes_of_its_own() {
         for code in ["implausible", "low-no-damage-speed", "high-no-damage-speed"] {
             assert_eq!(raised(analysis::crush, &with_kind, code), [], "{kind}");
         }
-        // Where the file does not say what it is, the first warning of its mass names what it may be.
+        // If the file does not give the kind of vehicle, the first warning about its mass names the possible
+        // kinds.
         let unsaid = raised(analysis::crush, &case(""), "implausible");
         let of_mass = unsaid.iter().find_map(|warning| match warning {
             Warning::Implausible { magnitude: Magnitude::Mass, others, .. } => Some(others.clone()),
@@ -782,7 +784,7 @@ fn a_friction_limit_that_vehicles_have_not() {
     }
 }
 
-/// A speed that is sought and given nevertheless is not used, whatever its sign.
+/// A speed that is given although it is sought is not used, whatever its sign.
 #[test]
 fn a_speed_that_is_given_backwards() {
     for skid in &SKIDS {
@@ -909,7 +911,7 @@ fn skid_marks_from_elsewhere_are_told() {
     assert_close(course, (195.0_f64 - 4.35 - 360.0).to_radians(), 1e-12);
 }
 
-/// A grade of the ground changes what a skid tells, unless its own friction contains it.
+/// A grade of the ground changes the speed by a skid, unless the skid's own friction contains it.
 #[test]
 fn a_skid_on_a_grade_is_told() {
     let text = include_str!("../../../fixtures/rear-end-rest.toml");

@@ -1,5 +1,5 @@
-//! Collisions whose answer others have printed, or whose truth is known because they were simulated by a
-//! program that shares nothing with this one. Each has the value of its source, at the digits printed there.
+//! Collisions with printed answers, or with a known truth because they were simulated by a program that
+//! shares no code with this one. Each has the value of its source, at the digits printed there.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 #![allow(
@@ -40,7 +40,7 @@ fn by_momentum(text: &str) -> ([f64; 2], [f64; 2]) {
     (both.speeds, both.delta_v)
 }
 
-/// What momentum tells: title and source, the case, and in the unit of the source speeds and ΔV with half a
+/// Results by momentum: title and source, the case, and, in the unit of the source, speeds and ΔV with half a
 /// unit of the last digit printed.
 struct ByMomentum {
     what: &'static str,
@@ -51,7 +51,7 @@ struct ByMomentum {
     within: f64,
 }
 
-/// Two vehicles of which the lines tell the rest.
+/// Two vehicles, with the lines for all other data.
 fn pair(one: &str, two: &str, end: &str) -> String {
     format!("[vehicle1]\n{one}\n[vehicle2]\n{two}\n[reconstruct]\n{end}\n")
 }
@@ -302,7 +302,7 @@ fn two_ees_and_one_speed_give_the_other() {
     near("speed", found.speed, (2.0 * energy / reduced).sqrt() - 40.0 * KMH, 1e-9);
 }
 
-/// A truck of 43 t under which a car went, on damage that was made up: the push goes through both CGs, so
+/// A truck of 43 t and a car that went under it, with invented damage: the push goes through both CGs, so
 /// that E = ½ m̄ v².
 #[test]
 fn a_truck_against_a_car_takes_the_energy_of_the_car() {
@@ -392,7 +392,7 @@ fn small_overlap_tests_have_the_measured_delta_v() {
 fn into_the_barrier([k, v, distance, angle, plane, e, share]: [f64; 7]) -> [f64; 3] {
     let (sin, cos) = angle.to_radians().sin_cos();
     let [x, y] = [distance * cos, distance * sin];
-    // The normal points to the vehicle, against its way.
+    // The normal points to the vehicle, against its motion.
     let (nx, ny) = {
         let (s, c) = plane.to_radians().sin_cos();
         (-c, -s)
@@ -439,7 +439,7 @@ const OF_THE_TEST: &str = "width = \"160 cm\"\ndepths = \"42 50 54 54 50 42 cm\"
     stiffness = { test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", \
     depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" } }";
 
-/// A quantity of an estimate, what it is in truth (km/h), and how far from that its median may be (km/h).
+/// A quantity of an estimate, its true value (km/h), and how far from that its median may be (km/h).
 struct Told {
     output: Output,
     truth: f64,
@@ -525,7 +525,7 @@ fn estimates_hold_the_truth() {
         for Told { output, truth, within } in told {
             let found = &of(&estimated, output).posterior;
             let [.., widest] = &found.intervals;
-            // The ends as far as the draws tell them.
+            // The ends, as precisely as the draws give them.
             let end = |end: uncertainty::Estimate, sign: f64| {
                 (end.value + sign * 2.0 * end.standard_error.unwrap_or(0.0)) / KMH
             };
@@ -534,7 +534,7 @@ fn estimates_hold_the_truth() {
             near(what, found.median.value / KMH, truth, within);
         }
     }
-    // Two EES leave the split of the closing speed open, and that is said.
+    // Two EES do not determine the split of the closing speed, and that is stated.
     let by_ees = weighed(BY_EES);
     assert!(!of(&by_ees, SPEED.of_vehicle(Two)).is_told());
 }
@@ -559,7 +559,7 @@ fn estimates_of_intersections_hold_the_truth() {
         ] {
             let found = &of(&estimated, output).posterior;
             let [.., widest] = &found.intervals;
-            // The ends as far as the draws tell them.
+            // The ends, as precisely as the draws give them.
             let end = |end: uncertainty::Estimate, sign: f64| {
                 (end.value + sign * 2.0 * end.standard_error.unwrap_or(0.0)) / KMH
             };
@@ -583,7 +583,7 @@ fn a_throw_alone_gives_a_speed() {
     assert!(widest.low.value < by_hand && by_hand < widest.high.value, "{widest:?}");
 }
 
-/// What a wall and two EES say exactly: 50.1 and 56.0 km/h; e enters by 1 − e².
+/// The exact answers for a wall and two EES: 50.1 and 56.0 km/h; e enters through 1 − e².
 #[test]
 fn a_wall_gives_the_speed_of_its_energy() {
     let ees = "ees = { value = \"50 km/h\", sd = \"2 km/h\" }";
@@ -593,8 +593,8 @@ fn a_wall_gives_the_speed_of_its_energy() {
     near("test", found.speed / KMH, 56.0, 0.05);
 }
 
-/// A simulated intersection with rests of which only the heading is told: of the motions that lead there the
-/// one is taken that the impact made. A simulated rear-end collision: the car that stood comes out as one.
+/// A simulated intersection with rests given by their headings alone: of the motions that lead there, the one
+/// that the impact caused is taken. A simulated rear-end collision: the car that stood comes out as one.
 #[test]
 fn simulated_rests_lead_back_to_the_speeds() {
     for (what, text, speeds, turned, within) in [
@@ -614,8 +614,8 @@ fn simulated_rests_lead_back_to_the_speeds() {
     }
 }
 
-/// Rests that another program followed vehicles to, whose rolling wheels bent the way: they lead back to the
-/// speeds with which it began, and no path misses its rest.
+/// Rests to which another program followed vehicles on paths curved by their rolling wheels: they lead back
+/// to the speeds with which it began, and no path misses its rest.
 #[test]
 fn bent_paths_lead_back_to_their_speeds() {
     for (text, speed) in [
@@ -648,8 +648,8 @@ fn a_long_roll_ends_where_another_program_has_it() {
 }
 
 /// Young & Freedman 8.77 from the rests, which a user gives with contact points of his own: cars that slid as
-/// one did not turn, and no impulse at those points leaves them so. What is weighed then misses the rests by
-/// metres, and is no answer; that they were locked together is one.
+/// one did not turn, and no impulse at those points leaves them so. The estimate then misses the rests by
+/// metres, and is no answer; with the vehicles locked together there is one.
 #[test]
 fn evidence_that_no_collision_has_leads_nothing() {
     let car = |mass: &str, heading: f64, class: u8| {

@@ -1,4 +1,4 @@
-//! A recorder's table as evidence, and what disagrees with it.
+//! A recorder's table as evidence, and data that disagree with it.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -68,7 +68,8 @@ fn a_pulse_that_disagrees_is_told_and_one_cut_off_is_not() {
     assert!(found.is_cut && found.delta_v.is_none());
 }
 
-/// (km/h) what an answer lacks of the ΔV in a record without the end of the impact: recorded and found.
+/// (km/h) the recorded and the found ΔV, where the answer is below that of a record without the end of the
+/// impact.
 fn below(warnings: &[Warning]) -> Vec<[f64; 2]> {
     let of = |warning: &Warning| match warning {
         Warning::BelowRecord { recorded, found, .. } => Some([*recorded, *found].map(|si| si * 3.6)),
@@ -88,7 +89,7 @@ fn an_answer_below_a_record_that_ends_early_is_told() {
     assert_eq!(of(&cut("0 -3 -6 -10 -25 -40 -54")), [[0.0; 2]; 0]);
     let [[recorded, found]] = of(&cut("0 -3 -6 -20 -40 -60 -75"))[..] else { panic!() };
     assert!((recorded - 75.0).abs() < 1e-9 && (found - 49.5).abs() < 1e-9, "{recorded} {found}");
-    // Pushed from behind: the impact has nothing in this direction.
+    // Pushed from behind: the impact has no ΔV in this direction.
     let [[recorded, found]] = of(&cut("0 3 6 9 12 15 18"))[..] else { panic!() };
     assert!((recorded - 18.0).abs() < 1e-9 && (found + 49.5).abs() < 1e-9, "{recorded} {found}");
     let unfinished = "incomplete = true\ndelta_v_longitudinal = \"-75 km/h\"";
@@ -117,8 +118,8 @@ fn an_estimate_takes_a_record_that_ends_early_as_a_bound() {
     assert!((recorded - 120.0).abs() < 1e-9 && found > 45.0 && found < 110.0, "{found}");
 }
 
-/// Keys that tell the estimate nothing, as nobody can follow the vehicle to its rest, leave the exact
-/// answer as it is.
+/// Keys that the estimate cannot use, as the vehicle cannot be followed to its rest, leave the exact answer
+/// as it is.
 #[test]
 fn what_cannot_be_weighed_leads_nowhere() {
     let text = head_on("speed = \"51 km/h\"").source.text().replacen("speed = \"50 km/h\"\n", "", 1).replace(
@@ -162,7 +163,7 @@ fn an_estimate_takes_the_table_as_evidence() {
 }
 
 /// A recorder 1 m ahead of the centre of gravity; the vehicle then turns to the left by 90 °/s = π/2 rad/s:
-/// what it stored to the left is by π/2 m/s too much.
+/// its stored ΔV to the left is too large by π/2 m/s.
 #[test]
 fn a_recorder_away_from_the_centre_is_taken_there() {
     let file = head_on(
@@ -174,8 +175,9 @@ fn a_recorder_away_from_the_centre_is_taken_there() {
     assert!((told.left.unwrap() - (10.0 / 3.6 - std::f64::consts::FRAC_PI_2)).abs() < 1e-9, "{told:?}");
 }
 
-/// What one axis stored needs nothing of the other: 0.8 m to the left of the CG, a turn of π rad/s adds 0.8 π
-/// m/s along the vehicle, as v = ω × r, and what a recorder ahead of it stored across has 0.5 π to the left.
+/// The stored ΔV of one axis does not need the other. By v = ω × r with a yaw rate of π rad/s, a recorder 0.8
+/// m to the left of the CG moves forward 0.8 π m/s slower than the CG, and one 0.5 m ahead of it moves to the
+/// left 0.5 π m/s faster.
 #[test]
 fn one_axis_alone_is_taken_to_the_centre() {
     let told = |axis: &str, at: &str| {
@@ -206,7 +208,7 @@ fn the_yaw_rate_before_the_impact_is_no_part_of_its_change() {
     assert!((left - (10.0 / 3.6 - std::f64::consts::FRAC_PI_6)).abs() < 1e-9, "{left}");
 }
 
-/// The pulse holds the whole impact, and the recorder says that it did not finish the record.
+/// The pulse contains the whole impact, but by its own flag the recorder did not finish the record.
 #[test]
 fn an_unfinished_record_is_a_lower_bound() {
     let lines = |incomplete: bool| {
@@ -224,7 +226,7 @@ fn an_unfinished_record_is_a_lower_bound() {
     }
 }
 
-/// Whole miles: ±0.5 mph instead of ±0.5 km/h over 2 s, or what `errors.step` says.
+/// Whole miles: ±0.5 mph instead of ±0.5 km/h over 2 s, or the step in `errors.step`.
 #[test]
 fn the_step_of_the_speeds_counts_in_the_distance() {
     let width = |speeds: &str, errors: &str| {
@@ -270,16 +272,16 @@ fn the_record_of_the_impact_is_found_by_direction_and_size() {
     assert!(found.of_impact.probability > 0.95 && found.of_impact.cannot.is_none());
     let other = &found.others[0].of_impact;
     assert!(other.probability < 0.01 && other.cannot.is_some() && !other.is_taken, "{other:?}");
-    // An estimate uses that one, and says so of the other.
+    // An estimate uses that one, and says that it does not use the other.
     let evidence = estimate_evidence(&file.case).unwrap();
     assert!(evidence.contains(&"vehicle1.recorder.speed".to_owned()), "{evidence:?}");
     let told: Vec<String> = judge(&file.case).records.into_iter().map(|(key, _)| key).collect();
     assert_eq!(told, ["vehicle1.recorder.records[1]", "vehicle1.recorder.records[2]"]);
 }
 
-/// Two records and two impacts; of this one nothing is known, and the second record is just what the other
-/// one is. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is not
-/// known, and for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand
+/// Two records and two impacts; nothing is known about this impact, and the second record agrees exactly with
+/// the other one. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is
+/// not known, and for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand
 /// (0.98/(√2π · 20°) + 0.02/2π) · 2π and 4/(0.45 √2π).
 #[test]
 fn records_are_of_the_impacts_in_their_order() {
@@ -327,7 +329,7 @@ fn an_estimate_uses_the_record_of_the_impact_alone() {
     assert_eq!(other, ["vehicle1.recorder.records[1]"]);
 }
 
-/// Nothing tells the records apart: each is of the impact with 0.09/0.19, and none is used.
+/// Nothing distinguishes the records: each is of the impact with 0.09/0.19, and none is used.
 #[test]
 fn where_nothing_tells_records_apart_none_is_used() {
     let file = head_on("records = [{ speed = \"50 km/h\" }, { speed = \"30 km/h\" }]");
@@ -348,8 +350,9 @@ fn where_nothing_tells_records_apart_none_is_used() {
     assert!(judge(&crushed("delta_v_longitudinal = \"-40 km/h\"").case).records.is_empty());
 }
 
-/// Struck from ahead while the other one's damage tells the direction: the record of a push from the side is
-/// told apart, whether the crush of this vehicle was measured or only its energy is known.
+/// Struck from ahead, with the direction known from the other vehicle's damage: the record of a push from the
+/// side is recognised as another impact's, whether the crush of this vehicle was measured or only its energy
+/// is known.
 #[test]
 fn the_force_on_the_other_vehicle_tells_records_apart() {
     let records = "records = [\n\

@@ -55,7 +55,7 @@ fn a_lead_vehicle_moves_on() {
     let root = 7.0 * ((1.0 + 2.0 * gap / 7.0_f64).sqrt() - 1.0);
     assert!((found.scene.spatial() - (20.0 * KMH + root)).abs() < 1e-6);
     assert!(found.nearly_along.is_none());
-    // Who keeps a limit below the speed of the car ahead never reaches it.
+    // A driver who keeps a limit below the speed of the car ahead never reaches it.
     let slow =
         asked(&text([30.0; 2], [60.0 * KMH, 20.0 * KMH], [""; 2], &avoid.replace("60 km/h", "19 km/h")));
     let slow = slow.unwrap();
@@ -102,7 +102,7 @@ fn an_oncoming_vehicle_comes_nearer() {
     let skidded = (before - 10.0) / a;
     assert!((line.gap - (30.0 + 12.0 + before * (2.0 - skidded))).abs() < 1e-9);
     let stands = 30.0 - 100.0 / (2.0 * a);
-    // v t_R + v²/2a = the way to there
+    // v t_R + v²/2a = the distance to there
     let most = 7.5 * ((0.25 + 2.0 * stands / 7.5_f64).sqrt() - 0.5);
     assert!((found.scene.spatial() - most).abs() < 1e-6, "{} {most}", found.scene.spatial());
 }
@@ -150,8 +150,8 @@ fn phases_and_stored_speeds_tell_that_of_the_other() {
     assert!((line.gap - (35.0 - 10.5 - 10.0 * (2.1 - 1.5))).abs() < 1e-9, "{}", line.gap);
     let found = of("[vehicle2.recorder]\nspeed = \"20 km/h\"\n");
     assert!((found.scene.same_line.as_ref().unwrap().speed - 20.0 * KMH).abs() < 1e-9);
-    // Four per cent of it, by which a recorder errs if nothing else is said: a faster lead gives more room by
-    // (2.1 − the rest of the slope) m for each m/s.
+    // Four per cent of it, the default error of a recorder: a faster lead gives more room by (2.1 − the rest
+    // of the slope) m for each m/s.
     let by_u = |u: f64| {
         let gap: f64 = 35.0 - 2.1 * u;
         u + 7.0 * ((1.0 + 2.0 * gap / 7.0).sqrt() - 1.0)
@@ -162,8 +162,8 @@ fn phases_and_stored_speeds_tell_that_of_the_other() {
     assert!((spatial.high - spatial.low - width).abs() < 0.15 * width, "{spatial:?} {low} {high}");
 }
 
-/// Of a vehicle of which only the speed at the demand is known: where it would, with a timely reaction, have
-/// been slower than the one ahead at the place of the impact, it did not brake.
+/// A vehicle with only a known speed at the demand: if, with a timely reaction, it would have been slower
+/// than the one ahead at the place of the impact, it did not brake.
 #[test]
 fn who_would_not_have_come_up_to_it_reacted_late() {
     let avoid = |speed: &str| {
@@ -198,7 +198,8 @@ fn a_vehicle_that_backs_comes_nearer() {
     assert_eq!(flees.scene, leads.scene);
 }
 
-/// A car at a light that a solution lets roll back at a walking pace stood: it does not come nearer.
+/// A car waiting at a light, which by a solution rolls back at walking pace, counts as standing: it does not
+/// come nearer.
 #[test]
 fn a_solution_that_is_slightly_negative_is_a_stop() {
     let vehicle = |of: &str, mass: f64, contact: &str, side: &str, depth: &str, after: &str| {
@@ -253,7 +254,7 @@ fn the_speed_of_the_other_makes_a_probability() {
     assert_eq!(chance.avoided_at_limit, chance.stopped_at_limit);
 }
 
-/// What the recorder of the car ahead gets wrong counts: its speeds before the impact say where it was.
+/// The errors of the recorder of the car ahead count: its speeds before the impact determine where it was.
 #[test]
 fn the_recorder_of_the_other_errs() {
     let avoid = "limit = \"60 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
@@ -279,7 +280,7 @@ fn the_recorder_of_the_other_errs() {
     assert!(narrow < 0.001 && wide > 0.02, "{narrow} {wide}");
 }
 
-/// Where nothing else tells how fast the car ahead was, its recorder does, and its errors make a probability.
+/// If nothing else gives the speed of the car ahead, its recorder does, and its errors lead to a probability.
 #[test]
 fn the_recorder_of_the_other_tells_its_speed() {
     let avoid = "speed = \"60 km/h\"\nlimit = \"60 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
@@ -299,7 +300,7 @@ fn the_recorder_of_the_other_tells_its_speed() {
 }
 
 const STEP: f64 = 2e-4;
-/// (s) how exactly the steps tell when they meet.
+/// (s) how exactly the steps determine when they meet.
 const SOFT: f64 = 2e-3;
 /// (s) the end of the steps.
 const LONGEST: f64 = 30.0;
@@ -401,7 +402,7 @@ proptest! {
                 _ if least.abs() < 0.02 && contact.is_none_or(|[_, speed]| speed < 1.0) => {}
                 Some([at, speed]) => {
                     let [found_at, found_speed] = [run.arrival.unwrap(), run.collision_speed];
-                    // Where they touch nearly at one speed, the moment is soft.
+                    // Where they touch at nearly the same speed, the moment is not sharp.
                     let closing = speed - (other(at + STEP) - other(at)) / STEP;
                     prop_assume!(closing > 0.5);
                     prop_assert!((found_at - at).abs() < 5e-3, "{:?} {} {}\n{}", hypothesis, found_at, at, text);

@@ -63,7 +63,7 @@ fn derivatives_are_central_differences_on_every_fixture() {
         let sensitivity = sensitivity(file, NO_SWEEP).unwrap();
         let nominal = outputs(&sensitivity.nominal);
         for (i, input) in file.inputs().into_iter().enumerate() {
-            // Small against the number, or against what is usual of its kind where that is zero.
+            // Small compared with the number, or with a usual number of its kind if it is zero.
             let usual = match input.unit.map(inputs::Unit::dimension) {
                 Some(Dimension::Angle) => 1.0 / input.factor(),
                 Some(_) | None => 1.0,
@@ -114,8 +114,7 @@ fn the_most_influential_input_comes_first() {
         let found = sensitivity.derivatives.iter().find(|row| row.output == output && row.input.path == path);
         found.unwrap_or_else(|| panic!("{path}"))
     };
-    // Which numbers say where the scene's axes point is a matter of choice: turning all angles together
-    // changes nothing.
+    // The direction of the scene's axes is a matter of choice: turning all angles together changes nothing.
     for output in [
         SPEED.of_vehicle(VehicleId::One),
         DELTA_V.of_vehicle(VehicleId::One),
@@ -127,8 +126,8 @@ fn the_most_influential_input_comes_first() {
             .sum();
         assert!(turned.abs() < 1e-9, "{turned}");
     }
-    // A heading has no per cents, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at 3413 lb and
-    // 75.03 ft/s.
+    // A heading has no influence in per cent, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at
+    // 3413 lb and 75.03 ft/s.
     let speed = SPEED.of_vehicle(VehicleId::One);
     assert_eq!(by(speed, "vehicle1.heading").relative(), None);
     let weight = by(speed, "vehicle2.weight");

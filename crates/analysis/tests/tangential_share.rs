@@ -96,7 +96,7 @@ fn the_curve_meets_what_is_sought_at_the_speed_found() {
     assert!(curve.iter().all(|point| (point.sought - found.crush_energy).abs() < 1e-6));
 }
 
-/// With both speeds known, the crush energy is held against the same sum.
+/// With both speeds known, the crush energy is compared with the same sum.
 #[test]
 fn a_check_holds_the_share_too() {
     let found = speed(&reconstruct(&with_share(0.5)).unwrap());
@@ -144,7 +144,7 @@ fn neither_labels_nor_axes_change_the_answer() {
     }
 }
 
-/// Central differences of the speed by the share.
+/// Central differences of the speed with respect to the share.
 #[test]
 fn the_derivative_by_the_share_is_the_difference_in_the_limit() {
     let step = 1e-5;
@@ -160,7 +160,7 @@ fn the_derivative_by_the_share_is_the_difference_in_the_limit() {
     }
 }
 
-/// A car that slides along a wall at 35° to its way, under a friction limit: the speed is
+/// A car that slides along a wall at 35° to its course, under a friction limit: the speed is
 /// lower the more of the sliding shows in the damage.
 #[test]
 fn a_wall_takes_its_share_too() {
@@ -210,7 +210,7 @@ fn both_speeds_are_found_with_the_share() {
         let taken = energy.normal_work + share * energy.tangential_work;
         assert!((taken / crush - 1.0).abs() < 1e-9, "{share}: {taken} of {crush}");
         assert!(energy.tangential_work > 0.05 * energy.normal_work);
-        // What `compare` says the speeds need is what was measured.
+        // The energy that the speeds need by `compare` is the one that was measured.
         let by = compare(&case).unwrap().evidence.unwrap();
         let needed = by.together.unwrap().crush_energy.unwrap();
         assert!(
@@ -237,11 +237,11 @@ fn both_speeds_are_found_with_the_share() {
     assert!(result.inputs.iter().any(|input| input.input.path == SHARE));
 }
 
-/// Where the approaches cross, the crush energy is a check of momentum, and held against the same sum.
+/// Where the approaches cross, the crush energy is a check of momentum, and compared with the same sum.
 #[test]
 fn the_check_of_momentum_holds_the_share_too() {
     let check = |basis: &str| {
-        // The second car comes from the right at 60°, and both leave between their ways.
+        // The second car comes from the right at 60°, and both leave between their courses.
         let text = both_speeds(basis).replace("\"3 deg\"", "\"18 deg\"").replace("\"-2 deg\"", "\"30 deg\"");
         let (one, two) = text.split_once("[vehicle2]").unwrap();
         let text =

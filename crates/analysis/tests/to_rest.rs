@@ -1,4 +1,5 @@
-//! Derivatives and samples of cases whose vehicles are followed to rest, or whose rests tell the speeds.
+//! Derivatives and samples of cases whose vehicles are followed to rest, or whose speeds are found from the
+//! rests.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -143,7 +144,7 @@ fn compared(
     scale: f64,
 ) -> Vec<(String, [f64; 2])> {
     let rows = sensitivity(case, NO_SWEEP).unwrap().derivatives;
-    // By what is small, but far above the error of the integration.
+    // By a small step, but far above the error of the integration.
     let step = |input: &Input| match input.unit.map(inputs::Unit::dimension) {
         Some(Dimension::Angle) => 0.002 / input.factor(),
         Some(Dimension::Length) => 0.01 * scale / input.factor(),
@@ -187,11 +188,11 @@ fn compared(
     compared.collect()
 }
 
-/// What central differences of an integration that is good for 0.1 mm a step are good for.
+/// The accuracy of central differences of an integration with an error of 0.1 mm a step.
 const CLOSE: f64 = 0.01;
 
 /// A search for a start may miss its rest by half a millimetre, rarely by one, so that differences of 1 cm
-/// tell too little, and longer ones are good for this.
+/// are too small, and longer ones have this accuracy.
 const SEARCHED: f64 = 3.0;
 const CLOSE_BY_SEARCH: f64 = 0.02;
 /// The same of an influence itself, in place of the greatest.
@@ -205,7 +206,7 @@ fn derivatives_of_both_speeds_are_central_differences() {
         assert!((found - given).abs() < 1e-3, "{found} {given}");
     }
     let worst = compare(&case, reconstruct, SEARCHED);
-    // Both speeds, both ΔV; speed, direction, yaw rate, distance and time of both ways.
+    // Both speeds, both ΔV; speed, direction, yaw rate, distance and time of both paths.
     assert_eq!(worst.len(), 4 + 2 * 5);
     assert!(worst.iter().all(|(_, off)| *off < CLOSE_BY_SEARCH), "{worst:#?}");
 }
@@ -257,7 +258,7 @@ fn propagated(case: &Case, samples: usize) -> Uncertainty {
     uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// With ranges of what tells the rest of the vehicles.
+/// With ranges of the numbers that give the rest of the vehicles.
 fn uncertain(text: &str) -> String {
     text.replace("friction = 0.7", "friction = { value = 0.7, sd = 0.03 }")
         .replace("drag = 0.15", "drag = { value = 0.15, sd = 0.02 }")
@@ -304,7 +305,7 @@ fn first_order_and_samples_agree_where_ranges_are_narrow() {
     let propagated = propagated(&case, 400);
     for (output, summary) in propagated.outputs.iter().zip(propagated.propagation.summaries()) {
         let sd = summary.as_ref().unwrap().sd.value;
-        // 400 samples tell a standard deviation to 4 %.
+        // 400 samples determine a standard deviation to 4 %.
         assert!(
             (output.first_order.sd / sd - 1.0).abs() < 0.15,
             "{:?} {sd} {:?}",

@@ -115,7 +115,7 @@ fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
     );
 }
 
-/// Every sample is what `reconstruct` makes of a file with its numbers.
+/// Every sample is the answer of `reconstruct` to a file with its numbers.
 #[test]
 fn a_sample_is_the_reconstruction_of_its_numbers() {
     let file = read(UNCERTAIN);
@@ -309,7 +309,7 @@ fn a_share_with_a_confidence_becomes_a_deviation() {
     assert!((sd / (243.7 / 1.959_963_985) - 1.0).abs() < 1e-9, "{sd}");
 }
 
-/// What the file says of the speed that is sought is no input.
+/// A number that the file gives for the speed sought is not an input.
 #[test]
 fn a_speed_that_is_sought_is_a_result_only() {
     let given =
@@ -342,8 +342,8 @@ fn with_categories(first: i32, second: i32) -> f64 {
     reconstruct(&read(&text)).unwrap().found.unwrap().speed
 }
 
-/// Whoever chooses a category may be off by one, for either vehicle or both. An interval that does not
-/// contain those answers claims more than anybody knows.
+/// The choice of a category may be off by one, for either vehicle or both. An interval that does not contain
+/// those answers claims more than is known.
 #[test]
 fn the_interval_of_a_case_from_tables_contains_the_answers_of_the_neighbouring_categories() {
     let result = run(CATEGORIES, 20_000);
@@ -376,7 +376,7 @@ fn written_out([a1, k1, a2, k2]: [f64; 4]) -> String {
         .replace("class   = 3", &format!("yaw_radius = \"{} in\"", 3324.0_f64.sqrt() * k2))
 }
 
-/// Sample by sample: what the spread of a table does is what the same numbers do where the file gives them.
+/// Sample by sample: the spread of a table has the same effect as the same numbers given in the file.
 #[test]
 fn a_spread_of_a_table_is_a_factor_on_what_the_table_gives() {
     let result = run(CATEGORIES, 64);
@@ -532,7 +532,7 @@ fn given_speeds_that_are_sampled_negative_are_counted() {
     let share = backward.samples as f64 / backward.of as f64;
     // √(p (1 − p)/n) = 0.0026
     assert!((share - 0.15866).abs() < 4.0 * 0.0026, "{share}");
-    // A central value that is negative itself makes no surprise of the others.
+    // If the central value itself is negative, there is no warning about the others.
     let reversing = wide.replace("{ value = \"25 mph\"", "{ value = \"-1 mph\"");
     assert_eq!(doubt(&run(&reversing, 640), Doubt::GivenBackward { vehicle: VehicleId::Two }), None);
     assert!(run(CATEGORIES, 20_000).doubtful.is_empty());
@@ -559,7 +559,7 @@ fn speeds_found_that_are_negative_or_implausible_are_counted() {
     assert!(backward > 100 && too_fast > 100, "{backward} {too_fast}");
 }
 
-/// The closing speed of the paper's example is 21 m/s in every sample worth its name; half of a uniform
+/// The closing speed of the paper's example is about 21 m/s in practically every sample; half of a uniform
 /// distribution from 0.2 to 0.4 lies above 0.3.
 #[test]
 fn restitutions_that_are_high_at_the_closing_speed_of_the_sample_are_counted() {
@@ -691,7 +691,7 @@ fn a_number_may_have_a_range_and_share_an_error() {
     assert!(run(TAPE, 64).taken_as_exact.iter().all(|exact| exact.key != "vehicle1.crush.depths"));
 }
 
-/// Estimates that are listed as exact have no spread, and the list of what is exact has them.
+/// Estimated values that are taken as exact have no spread, and are in the list of exact values.
 #[test]
 fn a_spread_that_is_switched_off_is_taken_as_exact() {
     let exact = CATEGORIES.to_owned()
@@ -738,8 +738,8 @@ fn samples_are_shown_with_their_inputs() {
     }
 }
 
-/// Of a vector whose speed is sought the direction counts, with its range: that of 75 ft/s along and 5 ft/s
-/// across is 75 · 5/(75² + 5²) rad per 5 ft/s across, as a sideslip of the same range shows.
+/// For a vector whose speed is sought, only the direction counts, with its range: that of 75 ft/s along and 5
+/// ft/s across is 75 · 5/(75² + 5²) rad per 5 ft/s across, as a sideslip of the same range shows.
 #[test]
 fn the_direction_of_a_sought_velocity_has_its_range() {
     let sd = |given: &str, key: &str| {

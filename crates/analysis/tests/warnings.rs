@@ -1,6 +1,7 @@
-//! Every warning, on both sides of its threshold: what raises it, with which values, and what just does not.
+//! Every warning, on both sides of its threshold: data that raise it, with which values, and data that just
+//! do not.
 //!
-//! The values follow from the geometry and the arithmetic that stand beside each case.
+//! The values follow from the geometry and the arithmetic next to each case.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
@@ -59,7 +60,8 @@ fn damaged([first, second]: [(&str, f64, &str); 2]) -> String {
 const ENERGY: f64 = 54_150.0;
 
 /// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` says which vehicle it is, `heading`
-/// and `forward` (m) say where it looks and where C is, `speed` is in m/s; its crush is that of [`ENERGY`].
+/// and `forward` (m) give its direction and the place of C, `speed` is in m/s; its crush is that of
+/// [`ENERGY`].
 fn against_a_wall(car: VehicleId, forward: f64, speed: f64, crush: &str) -> String {
     let wall = car.other();
     format!(
@@ -287,8 +289,8 @@ fn side_not_pushed() {
     }
 }
 
-/// A car that meets a wall squarely with e = 0 loses its speed, and √(2E/m) is what CRASH3 says of it: equal
-/// to 10 % for speeds from that divided by 1.1 to that divided by 0.9. With restitution the impact's ΔV is
+/// A car that hits a wall squarely with e = 0 loses its speed, for which CRASH3 gives √(2E/m): equal to 10 %
+/// for speeds from that divided by 1.1 to that divided by 0.9. With restitution the impact's ΔV is
 /// (1 + e) v, and CRASH3's √((1 + e)/(1 − e)) times as much where E is dissipated, 1 + e times where it is
 /// absorbed.
 #[test]
@@ -565,7 +567,7 @@ fn a_full_impact_against_the_sliding_without_friction() {
     assert_eq!(raised(analysis::impact, &turned_round(-0.752, 0.41, -1.0, "z-up"), "near-jump"), []);
 }
 
-/// A car overtakes another one, nearly along it: `heading` in degrees, and what else its angles say.
+/// A car overtakes another one and sideswipes it: `heading` in degrees, and further angles.
 fn overtaking(heading: &str, plane: &str) -> String {
     format!(
         r#"
@@ -602,8 +604,8 @@ find = "vehicle1.speed"
     )
 }
 
-/// The answer hangs on a degree where the path lies nearly along the crush plane, by differences of one
-/// hundredth of a degree; an angle with a range says so itself.
+/// The answer is sensitive to a degree where the path lies nearly along the crush plane, by differences of
+/// one hundredth of a degree; an angle with a range says so itself.
 #[test]
 fn an_answer_that_hangs_on_a_degree_is_told() {
     let plane = "{ value = \"90 deg\", sd = \"1 deg\" }";

@@ -148,7 +148,7 @@ fn the_speed_of_the_other_is_that_of_the_evidence() {
     let other = analysis::quantities::SPEED.of_vehicle(pim_core::VehicleId::Two);
     let interval = &evidence.outputs.iter().find(|one| one.output == other).unwrap().posterior;
     assert!((speed / interval.median.value - 1.0).abs() < 1e-9, "{speed} {:?}", interval.median);
-    // The greatest speed that is late enough has an interval as wide as that of both speeds makes it.
+    // The greatest speed that is late enough has an interval whose width follows from those of both speeds.
     let temporal = found.chance.unwrap().temporal.unwrap();
     assert!(temporal.low < 0.85 * temporal.median && temporal.high > 1.15 * temporal.median, "{temporal:?}");
 }

@@ -1,5 +1,5 @@
-//! A case read, all of its numbers turned into SI, and written again: the file of another analyst in one's
-//! own units.
+//! A case is read, all of its numbers are converted to SI, and it is written again: the file of another
+//! analyst in one's own units.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -24,12 +24,12 @@ pub(crate) fn main() -> Result<(), Diagnostics> {
     assert!(distance.is_some_and(|input| (input.si() - 1.92024).abs() < 1e-12));
     assert!(inputs.iter().any(|input| input.unit.is_some_and(|unit| unit.dimension() == Dimension::Inertia)));
 
-    // Twenty miles per hour for the other car in place of ten. The units of the file stay.
+    // Twenty miles per hour instead of ten for the other car. The units of the file stay.
     let changed = file.case.map(|input| if input.path == "vehicle2.speed" { 20.0 } else { input.number });
     let text = to_toml(&changed);
     assert!(text.contains("\"20 mph\""));
 
-    // What is written reads as the same case.
+    // The written text is read as the same case.
     let again = CaseFile::parse("changed.toml", &text)?.case;
     assert_eq!(again, changed);
     Ok(())

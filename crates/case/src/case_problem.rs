@@ -129,7 +129,7 @@ pub enum CaseProblem {
     /// A key that a fixed object cannot have.
     #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
-    /// What only a fixed object has, of something that moves.
+    /// A key that only a fixed object can have, for a vehicle that moves.
     #[error("{table} gives \"{key}\", which only a fixed object has")]
     OfObject { table: String, key: &'static str },
     /// An outline with parts missing.
@@ -495,7 +495,7 @@ fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
     let owners: Vec<String> = owners.iter().map(|owner| format!("\"{owner}\"")).collect();
     let owners: Vec<&str> = owners.iter().map(String::as_str).collect();
     let help = format!("law = \"{law}\" uses {keys}; {key} belongs to law = {}", join(&owners, "or"));
-    // A separate key under one law is a form of tangential under Brach's.
+    // A separate key under another law is a form of `tangential` under Brach's.
     if law == LawName::Brach.name() && TANGENTIAL.has(key) {
         format!("{help}; here write tangential = {{ {} }}", TANGENTIAL.example(key))
     } else {

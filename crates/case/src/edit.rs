@@ -355,7 +355,7 @@ impl<'t> Editor<'t> {
             .filter_map(|entry| {
                 let between = &self.text[entry.key.end..entry.value.start];
                 let blanks = between.find('=')?;
-                // A single space is no alignment.
+                // A single space is not an alignment.
                 (blanks > 1).then_some(entry.key.len() + blanks)
             })
             .max()

@@ -40,8 +40,8 @@
 //! A file may have [`CaseFile::LARGEST_FILE`] bytes, a list 10,000 values, a list of zones 1,000, and the
 //! whole file 500 ranges.
 //!
-//! [`keys`] lists every key and [`key_tree`] tells its form; `docs/guide/case-file.md`, which is made from
-//! the same tables, says what each is.
+//! [`keys`] lists every key, and [`key_tree`] gives its form; `docs/guide/case-file.md`, which is made from
+//! the same tables, explains each.
 //!
 //! # Axes
 //!
@@ -66,7 +66,7 @@
 //! # Ranges
 //!
 //! Any number can be given as a range instead of a single value. The case then holds the central value, which
-//! every analysis uses, and [`Case::ranges`] gives how far it may be off.
+//! every analysis uses, and [`Case::ranges`] holds its uncertainty.
 //!
 //! | written | means | central value |
 //! |---|---|---|
@@ -139,9 +139,9 @@
 //!
 //! # What it does not do
 //!
-//! It has no equations and no defaults beyond those named above; [`inputs`] says what each analysis needs. It
-//! does no arithmetic with units: a unit that is not in the table is refused. A case that [`to_toml`] writes
-//! has no comments.
+//! It has no equations and no defaults beyond those named above; [`inputs`] states what each analysis needs.
+//! It does no arithmetic with units: a unit that is not in the table is refused. A case that [`to_toml`]
+//! writes has no comments.
 
 mod case_problem;
 mod diagnostic;

@@ -18,7 +18,7 @@ static NO_KEYS: Schema = Schema { place: "", text: "", keys: &[], rules: &[] };
 #[derive(Clone, Debug)]
 pub(crate) enum Node<'t> {
     String(Cow<'t, str>),
-    /// A plain number, in decimal digits where it was written.
+    /// A plain number; if it was written in a file, then in decimal digits.
     Number(f64),
     /// A number that was written with 0x, 0o or 0b.
     NotDecimal,

@@ -2,7 +2,7 @@
 
 use crate::case_problem::CaseProblem;
 
-/// How some kinds of file begin.
+/// The first bytes of some kinds of file.
 const MAGIC: [(&[u8], &str); 8] = [
     (b"%PDF-", "a PDF file"),
     (b"PK\x03\x04", "a ZIP archive, such as a Word or Excel file"),

@@ -35,7 +35,7 @@ pub(crate) enum Kind {
 /// An error of the parser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ParserError<'t> {
-    /// What the parser says.
+    /// The message of the parser.
     pub(crate) message: &'t str,
     pub(crate) kind: Kind,
     /// Whether it names a key or a table.

@@ -2,7 +2,7 @@
 
 use inputs::Purpose;
 
-/// How a program names what error texts refer to. The default is a library, which has no commands.
+/// The names of purposes and commands in error texts. The default is for a library, which has no commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
     /// The name of a purpose that a case is incomplete for.
@@ -11,7 +11,7 @@ pub struct Program {
     pub begins: Option<&'static str>,
     /// The command that describes CRASH3's size classes.
     pub describes_classes: Option<&'static str>,
-    /// The command that explains what to do where neither speed is known.
+    /// The command that explains what to do if neither speed is known.
     pub explains_two_speeds: Option<&'static str>,
 }
 

@@ -206,7 +206,7 @@ impl Form {
 
 /// A table of a case file.
 pub struct Schema {
-    /// How an error text says where its keys belong.
+    /// The place of its keys in words, for error texts.
     pub(crate) place: &'static str,
     /// What it is; the first sentence is its title.
     pub(crate) text: &'static str,
@@ -760,7 +760,7 @@ pub(crate) static RECORDER: Schema = Schema {
     ],
 };
 
-/// The keys of one record, which do not stand beside several.
+/// The keys of a single record, which cannot be combined with a list of several.
 pub(crate) static KEYS_OF_RECORD: [&str; 11] = [
     "delta_v_longitudinal",
     "delta_v_lateral",

@@ -96,7 +96,7 @@ impl Source {
     }
 
     /// Line and column, from 1, of a place within the text that is the value of a key; `None` if it is
-    /// written with escapes, or the source is no text.
+    /// written with escapes, or the source is not text.
     #[must_use]
     pub fn place_in_text(&self, path: &str, text: &str, place: TextPlace) -> Option<TextPlace> {
         let source = self.text.as_deref()?;

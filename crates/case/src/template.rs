@@ -64,8 +64,9 @@ macro_rules! named {
 }
 
 impl Template {
-    /// The case file in SI units but for its speeds, which are in mph, as on the roads of the United Kingdom.
-    /// It does not state what it finds: speeds rounded in mph are not quite those in km/h.
+    /// The case file in SI units except for its speeds, which are in mph, as on the roads of the United
+    /// Kingdom. Its comments do not state the answer, because speeds rounded in mph are not quite those in
+    /// km/h.
     #[must_use]
     pub fn text_with_mph(self) -> String {
         let line = |line: &str| {

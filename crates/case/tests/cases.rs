@@ -1,4 +1,4 @@
-//! Reading, writing back, and surviving whatever is in a file.
+//! Reading, writing back, and surviving arbitrary files.
 
 #![allow(
     clippy::unwrap_used,
@@ -59,14 +59,14 @@ fn problems(text: &str) -> Vec<CaseProblem> {
     errors.list().iter().map(|diagnostic| diagnostic.problem().clone()).collect()
 }
 
-/// What keeps a case from being reconstructed, in its file.
+/// The faults that prevent the reconstruction of a case, in its file.
 fn faults(text: &str) -> Diagnostics {
     let file = read(text);
     let faults = file.case.reconstruction().unwrap_err();
     file.diagnostics(&faults, &Program::NONE)
 }
 
-/// The crate carries a copy, as a package has nothing from outside of it. The path to the schema leads
+/// The crate contains a copy, as a package has no files from outside of it. The path to the schema leads
 /// nowhere there.
 #[test]
 fn the_example_of_the_crate_is_that_of_the_fixtures() {
@@ -268,7 +268,7 @@ restitution = { speeds = "2 5 m/s", values = [{ low = 0.2, high = 0.4 }, 0.2] }
 tangential = { fraction = { low = 0.8, mode = 1.0, high = 1.0 } }
 "#;
 
-/// What the file says of each uncertain number: its path, central value (in the unit written) and spread.
+/// The data of the file on each uncertain number: its path, central value (in the unit written) and spread.
 #[test]
 fn ranges_are_read_beside_the_central_values() {
     use Dimension::{Angle, Length, Mass, Speed};
@@ -460,7 +460,7 @@ fn the_laws_are_read_passed_on_and_written() {
             }
             (found, wanted) => assert_eq!(found, wanted, "{lines}"),
         }
-        // Equals signs stand below each other, also those of the keys above.
+        // The equals signs are aligned, also those of the keys above.
         let written = to_toml(&file.case);
         assert!(written.contains(&format!("{lines}\n\n[reconstruct]")), "{written}");
     }
@@ -502,7 +502,7 @@ fn a_curve_of_restitution_is_read_passed_on_and_written() {
     }
 }
 
-/// Of the damage alone, e is asked for only where it is one number.
+/// For the damage alone, e is required only if it is one number.
 #[test]
 fn crush_alone_has_the_restitution_of_the_law() {
     let text = fs::read_to_string(fixtures().join("sae-980025-crush.toml")).unwrap();
@@ -519,7 +519,8 @@ fn crush_alone_has_the_restitution_of_the_law() {
     assert_eq!(read(text).case.damage().unwrap().restitution, None);
 }
 
-/// Every key of `[impact]` under every law: accepted where the law uses it, and missed where it needs it.
+/// Every key of `[impact]` under every law: accepted if the law uses it, and reported as missing if the law
+/// needs it.
 #[test]
 fn each_law_has_its_own_keys() {
     let keys = [
@@ -718,7 +719,7 @@ fn every_valid_fixture_is_read_and_written_back() {
     let folders = ["", "laws", "no-answer", "ricsac", "roots"].map(|folder| fixtures().join(folder));
     for entry in folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
-        // What the papers print of the RICSAC collisions is no case.
+        // The printed results of the RICSAC collisions are not a case.
         if path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("published.toml")
         {
             let case = read(&fs::read_to_string(&path).unwrap()).case;
@@ -894,7 +895,7 @@ fn a_case_has_five_hundred_ranges_at_most() {
         assert_eq!(read(&with(&spread(500), "\"1 m\"")).case.ranges.len(), 500);
         let text = with(&spread(500), width);
         assert_eq!(problems(&text), [CaseProblem::TooManyRanges { count: 501, limit: 500 }]);
-        // The width stands before the depths: it is the last of them that is one too many.
+        // The width is before the depths: the last of the depths is one too many.
         let diagnostics = CaseFile::parse("test.toml", &text).unwrap_err();
         let span = diagnostics.list()[0].span().unwrap();
         assert!(["{ value = \"9 cm\", sd = \"1 cm\" }", "9"].contains(&&text[span]));
@@ -946,7 +947,7 @@ fn a_thousand_zones_are_read_and_no_more() {
     assert!(matches!(refused[..], [CaseProblem::TooMany { count: 1001, limit: 1000, .. }]), "{refused:?}");
 }
 
-/// One of the speeds is what is looked for: only the other one is asked for.
+/// One of the speeds is sought: only the other one is required.
 #[test]
 fn a_reconstruction_asks_for_one_of_the_two_speeds() {
     let paper = paper();
@@ -959,7 +960,7 @@ fn a_reconstruction_asks_for_one_of_the_two_speeds() {
             .map(|one| (one.problem().to_string(), one.problem().help().unwrap()))
             .collect::<Vec<_>>()
     };
-    // The paper gives vehicle 2 a speed, and looks for that of vehicle 1.
+    // The paper gives the speed of vehicle 2, and that of vehicle 1 is sought.
     let one = asked(before);
     assert_eq!(one.len(), 1, "{one:?}");
     assert!(one[0].0.starts_with("`reconstruct.find` is missing"), "{one:?}");
@@ -971,12 +972,12 @@ fn a_reconstruction_asks_for_one_of_the_two_speeds() {
     let none = asked(&before.replace("speed       = \"10 mph\"", ""));
     assert_eq!(none.len(), 2, "{none:?}");
     assert!(none.iter().any(|(what, _)| what.contains("needs one of them and finds the other")), "{none:?}");
-    // With the one that is looked for named, the other is asked for.
+    // If the speed sought is named, the other is required.
     let named = asked(&paper.replace("speed       = \"10 mph\"", ""));
     assert!(matches!(&named[..], [(what, _)] if what.starts_with("`vehicle2.speed`")), "{named:?}");
 }
 
-/// What the user wrote is not converted, only the examples are.
+/// The user's own values are not converted, only the examples are.
 #[test]
 fn a_number_of_the_user_keeps_its_unit() {
     let text = "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nwheelbase = \"5' 11\\\"\"\n\
@@ -987,14 +988,14 @@ fn a_number_of_the_user_keeps_its_unit() {
     assert!(errors.contains("distance = \"1.9 m\""), "{errors}");
 }
 
-/// A bracket that is left open is one error, and what stands before it is still judged.
+/// A bracket that is left open is one error, and the text before it is still checked.
 #[test]
 fn an_open_bracket_hides_nothing_before_it() {
     let text =
         "[vehicle1]\nspeed = 35\ncontact = { x = \"1 m\", y = \"2 m\"\nmass = 12\n[vehicle2]\nfixed = 1\n";
     let found = problems(text);
     assert!(matches!(found[..], [CaseProblem::BareNumber { .. }, CaseProblem::Syntax { .. }]), "{found:?}");
-    // A table over several lines is no slip, but the comma in it is.
+    // A table over several lines is not an error, but the comma in it is.
     let text = "[vehicle1]\ncontact = {\n  x = \"1 m\"\n  y = \"2 m\"\n}\n[vehicle2]\nfixed = true\n";
     let found = CaseFile::parse("case.toml", text).unwrap_err().to_string();
     assert!(found.contains("case.toml:4:3") && found.contains("with commas between"), "{found}");
@@ -1018,15 +1019,15 @@ fn a_vehicle_that_was_not_inspected_can_be_inferred() {
     };
     let one = help(&format!("{head}[impact]{tail}"));
     assert!(matches!(&one[..], [help] if help.contains("`from_force_balance = true`")), "{one:?}");
-    // What nobody measured cannot follow from the other.
+    // A crush cannot follow from one that was not measured.
     let (before, damage) = head.split_once("[vehicle1.crush]").unwrap();
     let (_, after) = damage.split_once("[vehicle2]").unwrap();
     let none = help(&format!("{before}[vehicle2]{after}[impact]{tail}"));
     assert!(none.len() == 2 && none.iter().all(|help| !help.contains("from_force_balance")), "{none:?}");
 }
 
-/// An example suits the file: in the units of the same key, of the same kind, or of the system in which most
-/// of it is written.
+/// An example suits the file: in the units of the same key, of the same kind, or of the system that most of
+/// the case uses.
 #[test]
 fn an_example_has_a_unit_of_the_file() {
     let examples = |text: &str| -> Vec<String> {
@@ -1043,7 +1044,7 @@ fn an_example_has_a_unit_of_the_file() {
         ))
     };
     let depths = "depths = \"7 8\"";
-    // The width beside them; a system; centimetres where there is nothing to go by.
+    // The unit of the width next to them; that of a system; centimetres if neither is known.
     assert_eq!(of("mass = \"1 t\"", &format!("width = \"60 in\"\n{depths}")), ["7 8 in"]);
     assert_eq!(of("mass = \"1 t\"", &format!("width = \"600 mm\"\n{depths}")), ["7 8 mm"]);
     assert_eq!(
@@ -1064,7 +1065,7 @@ fn an_example_has_a_unit_of_the_file() {
     assert_eq!(of("speed = \"7\"\nmass = \"1 t\"", "width = \"60 cm\"\ndepths = \"1 2 cm\""), ["7 m/s"]);
 }
 
-/// What is quick for a word of ten letters can be quadratic in its length.
+/// A search that is quick for a word of ten letters can be quadratic in its length.
 #[test]
 fn a_megabyte_of_one_value_is_refused_at_once() {
     let unit =
@@ -1453,7 +1454,7 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
     let direction_error = option::of(any_quantity(Dimension::Angle, Signs::Positive));
     (delta_v, direction_error, of_speed, yaw_rate).prop_map(
         |((along, across, delta_v_error), direction_error, (speed, speed_error), yaw_rate)| {
-            // One part across the vehicle has one along it.
+            // A component across the vehicle requires one along it.
             let delta_v_lateral = across.filter(|_| along.is_some());
             Recorder {
                 delta_v_longitudinal: along,
@@ -1580,7 +1581,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 crush,
                 energy,
                 before,
-                // A table without a key says nothing.
+                // A table without a key has no content.
                 after: after.filter(|after| *after != After::default()),
                 recorder: recorder.filter(|recorder| *recorder != Recorder::default()),
                 certain_speed,
@@ -1689,7 +1690,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     vehicles[i].crush = None;
                 }
             }
-            // Only a default can be left out, and only of a table that is there.
+            // Only a default can be left out, and only in a table that exists.
             let [axes_out, law_out, basis_out, fits_out @ ..] = leaves_out;
             let has_exact_fit = |vehicle: &GivenVehicle| {
                 let stiffness = vehicle.crush.as_ref().map(|crush| &crush.stiffness);
@@ -1723,7 +1724,7 @@ fn any_case() -> impl Strategy<Value = Case> {
     )
 }
 
-/// One thing that happens to a file.
+/// One change of a file.
 #[derive(Clone, Debug)]
 enum Change {
     Delete(Index, usize),
@@ -1807,7 +1808,7 @@ fn apply(text: &str, change: &Change) -> String {
     chars.into_iter().collect()
 }
 
-/// No text may do more than be refused with reasons; a case that is accepted can be written back.
+/// A text is either refused with reasons or accepted as a case that can be written back.
 fn survives(text: &str) -> Result<(), TestCaseError> {
     match CaseFile::parse("case.toml", text) {
         Ok(file) => {
@@ -1836,7 +1837,7 @@ proptest! {
         prop_assert_eq!(again.map_err(|errors| errors.to_string()), Ok(case), "{}", text);
     }
 
-    /// What the file may say of a law, the mechanics accept.
+    /// The mechanics accept every law that a file can give.
     #[test]
     fn every_law_is_one_of_the_mechanics(law in any_law()) {
         let mut file = read(&paper());
@@ -1874,7 +1875,7 @@ proptest! {
     }
 }
 
-/// Tables that stand in others help as those with a header do: by their own rows.
+/// Inline tables give the same help as those with a header: by their own rows.
 #[test]
 fn keys_of_tables_in_braces_get_the_help_of_their_rows() {
     for (text, says) in [
@@ -1892,7 +1893,7 @@ fn keys_of_tables_in_braces_get_the_help_of_their_rows() {
     }
 }
 
-/// A centre of gravity behind the rear is no vehicle.
+/// No vehicle has its centre of gravity behind the rear.
 #[test]
 fn a_centre_of_gravity_lies_within_its_vehicle() {
     let refused = |cg_to_front: &str| {

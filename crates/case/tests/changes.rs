@@ -1,4 +1,4 @@
-//! The cases of `fixtures/invalid`, those that stand there as changes of one case too.
+//! The cases of `fixtures/invalid`, including those that are given as changes of one case.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 

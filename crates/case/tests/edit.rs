@@ -1,4 +1,4 @@
-//! One key of a file is changed, and every other letter stays as it is.
+//! One key of a file is changed, and every other character stays as it is.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -38,7 +38,7 @@ fn texts() -> Vec<String> {
     texts
 }
 
-/// What a text says, by the parser: the letters of each value that is no table, under its path.
+/// The content of a text, by the parser: the characters of each value that is not a table, under its path.
 fn said(text: &str) -> BTreeMap<String, String> {
     fn add(
         path: &str,
@@ -112,7 +112,7 @@ fn is_subset(part: &[&str], whole: &[&str]) -> bool {
     part.iter().all(|one| whole.any(|other| other == one))
 }
 
-/// Asserts that nothing but the key is changed, and returns what the new text says.
+/// Asserts that only the key is changed, and returns the content of the new text.
 #[track_caller]
 fn only_changed(before: &str, after: &str, key: &str) -> BTreeMap<String, String> {
     only_changed_of(&said(before), before, after, key)
@@ -136,7 +136,7 @@ fn only_changed_of(
     new
 }
 
-/// What two texts have in common at their beginning and at their end.
+/// The lengths that two texts have in common at their beginning and at their end.
 fn common(one: &str, other: &str) -> [usize; 2] {
     let same = |(a, b): &(u8, u8)| a == b;
     let ahead = one.bytes().zip(other.bytes()).take_while(same).count();
@@ -144,7 +144,7 @@ fn common(one: &str, other: &str) -> [usize; 2] {
     [ahead, one.bytes().rev().zip(other.bytes().rev()).take_while(same).count().min(most)]
 }
 
-/// A text, and what each of its keys says and where.
+/// A text, and the value and place of each of its keys.
 struct Before<'a> {
     text: &'a str,
     said: BTreeMap<String, String>,
@@ -167,7 +167,7 @@ fn set_and_removed(before: &Before<'_>, key: &str, value: &str) {
     if !value.starts_with(['{', '[']) {
         assert_eq!(new.get(key).map(String::as_str), Some(value), "{key}\n{}", edited.text);
     }
-    // The letters themselves: one place has changed. Where a table with a header went, that is two.
+    // The characters themselves: one place has changed, or two if a table with a header was removed.
     let [ahead, behind] = common(text, &edited.text);
     let gone = &text[ahead..text.len() - behind];
     let was = before.source.span(key);
@@ -248,7 +248,7 @@ fn what_is_missing_is_added_in_its_place() {
         remove(&edited, "vehicle1.contact.x").unwrap(),
         "[vehicle1]\ncontact = { y = \"2 m\" } # C\ncrush = \"none\"\n"
     );
-    // A table without keys says nothing.
+    // A table without keys has no content.
     assert_eq!(remove(within, "vehicle1.contact.x").unwrap(), "[vehicle1]\ncrush = \"none\"\n");
     // A word and a table cannot both be there.
     let table = set(within, "vehicle1.crush.side", "\"rear\"").unwrap().text;
@@ -278,7 +278,7 @@ fn elements_of_lists_are_set_and_removed() {
     assert!(two.ends_with("# ice\n\n[[surface.zone]]\nfriction = 0.5\n"), "{two}");
 }
 
-/// The others of a list are then still what they were.
+/// The other elements of a list are then still the same.
 #[test]
 fn the_only_key_of_an_element_goes_with_it_where_nothing_follows() {
     let text = "vehicle1.crush.stiffness.zones = [{ A = \"1 lb/in\" }, { A = \"2 lb/in\" }]\n";
@@ -315,7 +315,7 @@ proptest! {
     ) {
         let (texts, keys) = (texts(), keys_with_values());
         let mut text = file.get(&texts).clone();
-        // One line alone has no break to go by.
+        // A single line has no line break that shows the style.
         let windows = has_windows && text.contains('\n');
         if windows {
             text = text.replace("\r\n", "\n").replace('\n', "\r\n");
@@ -333,8 +333,8 @@ proptest! {
     }
 }
 
-/// Why `edit` has the places of a text from the parser and does not write the text of `toml_edit`: of these
-/// files that gives back other letters, though nothing was changed.
+/// Why `edit` takes the places in a text from the parser and does not write the text of `toml_edit`: for
+/// these files it gives other characters, although nothing was changed.
 #[test]
 fn toml_edit_would_change_more_than_the_key() {
     let plain = "[vehicle1]\nmass = \"1500 kg\" # weighed\n";
@@ -356,7 +356,8 @@ fn toml_edit_would_change_more_than_the_key() {
         assert!(edited.text.contains(changed), "{}", edited.text);
         assert_eq!(edited.text.replace("1520", "1500"), text);
     }
-    // The comment above a key that goes is of what follows as often as not: it stays here, and goes there.
+    // The comment above a removed key may well belong to the lines below: `edit` keeps it, `toml_edit`
+    // removes it.
     let above = "[vehicle1]\nmass = \"1500 kg\"\n# from the plan\nheading = \"0 deg\"\nspeed = \"10 mph\"\n";
     let mut document: toml_edit::DocumentMut = above.parse().unwrap();
     document["vehicle1"].as_table_mut().unwrap().remove("heading");

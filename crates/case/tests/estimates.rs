@@ -205,7 +205,7 @@ fn what_is_missing_is_said() {
         let missing = format!("`{key}` is missing");
         assert!(text.contains(&missing) && text.contains(remedy), "{key}: {text}");
     }
-    // The other's PDOF alone does not do: it needs both headings.
+    // The other's PDOF alone is not enough: both headings are needed.
     let text =
         refusal(&cars([(YAW, &no_force), ("yaw_radius = \"1.4 m\"\nheading = \"0 deg\"", &only_pdof)]));
     assert!(text.contains("`vehicle1.crush.pdof` is missing"), "{text}");
@@ -226,7 +226,7 @@ fn a_crush_that_was_not_measured_has_a_width_or_bounds() {
     assert_eq!(width(outline, &inferred), InferredWidth::Bounded { widest: 4.4, deepest: 0.9 });
 }
 
-/// The energy has to be known before the impact is: the file gives the direction of the force.
+/// The energy has to be known before the impact is solved: the file gives the direction of the force.
 #[test]
 fn a_reconstruction_with_a_force_balance_needs_a_direction() {
     let measured = format!("{FRONT}\nstiffness = {{ category = 1 }}");

@@ -31,7 +31,7 @@ fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
     page.split(&opening[..]).skip(1).map(|rest| rest.split("\n```").next().unwrap()).collect()
 }
 
-/// A piece of a case file may leave out what it is not about. All that it does say has to be right.
+/// A piece of a case file may leave out keys of other topics. Its own content has to be right.
 fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,

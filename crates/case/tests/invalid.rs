@@ -1,4 +1,4 @@
-//! Every case in `fixtures/invalid` is refused with exactly the text beside it.
+//! Every case in `fixtures/invalid` is refused with exactly the text next to it.
 
 #![allow(
     clippy::unwrap_used,
@@ -77,7 +77,7 @@ fn no_command_is_named_without_a_program() {
     }
 }
 
-/// What is wrong with a changed case comes from its change.
+/// The errors of a changed case come from its change.
 #[test]
 fn the_case_that_is_changed_is_valid() {
     let text = fs::read_to_string(folder().join(format!("{BASE}.toml"))).unwrap();

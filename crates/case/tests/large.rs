@@ -1,4 +1,4 @@
-//! Large files end in an error or a case, soon and in bounded memory, whatever is in them.
+//! Large files give an error or a case, soon and in bounded memory, whatever they contain.
 
 #![allow(clippy::panic, reason = "helpers of tests fail by panicking")]
 

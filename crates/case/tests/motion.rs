@@ -1,4 +1,4 @@
-//! What the motion after the impact takes from a case, and what it refuses.
+//! The data that the motion after the impact takes from a case, and those that it refuses.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -124,8 +124,8 @@ polygon = [{ x = "0 m", y = "0 m" }, { x = "4 m", y = "0 m" }, { x = "0 m", y = 
     assert!(matches!(up.zones[0].region, RegionData::HalfPlane { into, .. } if close(into, FRAC_PI_2)));
     assert_eq!(up.zones[0].name.as_ref().unwrap().to_string(), "grass");
     assert_eq!(up.zones().len(), 2);
-    // In z-down axes y = 6 m lies to the right of the engine's x axis, and left of +x is there, too, what
-    // someone sees to his left.
+    // In z-down axes y = 6 m lies to the right of the engine's x axis, and left of +x is there, too, the left
+    // side of someone who looks along +x.
     let down =
         read(&CROSSING.replace("friction = 0.7", zones).replace("[scene]", "[scene]\naxes = \"z-down\""));
     let down = down.motion().unwrap().surface;
@@ -187,7 +187,7 @@ fn what_is_missing_or_impossible_is_told_with_its_key() {
         assert!(keys.contains(&key), "{old} → {new}: {text}");
         assert!(text.contains(words), "{old} → {new}: {text}");
     }
-    // As many faults as keys: none is told twice.
+    // As many faults as keys: none is reported twice.
     let bare = CROSSING.replace("heading = \"0 deg\"", "").replace("mass = \"1500 kg\"", "");
     let faults = read(&bare).two_speeds().unwrap_err();
     let (mut keys, text) = told(&faults);
@@ -338,7 +338,7 @@ fn collinear_approaches_need_the_damage() {
             }
         }
     }
-    // Of a sideslip, what counts is the direction of travel.
+    // With a sideslip, the direction of travel counts.
     let slipping = with("heading = \"90 deg\"", "heading = \"90 deg\"\nsideslip = \"-85 deg\"");
     let (_, text) = told(&slipping.two_speeds().unwrap_err());
     assert!(text.contains("their directions of travel are 5° apart"), "{text}");

@@ -47,7 +47,7 @@ fn a_pasted_table_lists_and_a_file_are_read_and_written_back() {
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
 
-/// Two tables of one record in one text are one; what is of another record or of the impact is named.
+/// Two tables of one record in one text are one; data of another record or of the impact are named.
 #[test]
 fn the_tables_of_a_text_are_joined_or_named() {
     let pedals = "Times (sec) Service Brake Engine RPM\n-1.0 Off 1800\n0.0 On 1700\n";
@@ -155,7 +155,7 @@ fn several_records_are_read_and_written_back() {
     assert_eq!(first.pre_crash.as_ref().unwrap().record.as_ref().unwrap().speeds().count(), 3);
     assert!((first.tells_delta_v(file.case.axes, 0.0).unwrap().along.unwrap() * 3.6 + 30.0).abs() < 1e-9);
     assert_eq!(recorder.records[1].since_previous.unwrap().si(), 0.8);
-    // One that was not finished gives no ΔV, and its speed stays.
+    // A record that was not finished gives no ΔV, but keeps its speed.
     assert_eq!(second.tells_delta_v(file.case.axes, 0.0), None);
     assert!(second.tells_speed(None).is_some());
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);

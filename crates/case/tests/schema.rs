@@ -1,4 +1,4 @@
-//! The JSON Schema: that the committed one is current, and that it judges as the reader does.
+//! The JSON Schema: the committed one is current, and it agrees with the reader.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -31,7 +31,7 @@ fn validator() -> Validator {
     jsonschema::draft202012::new(&schema()).unwrap()
 }
 
-/// TOML as an editor hands it to its validator; nothing where it is no TOML.
+/// TOML as an editor passes it to its validator; `None` if it is not TOML.
 fn document(text: &str) -> Option<Value> {
     let (document, errors) = DeTable::parse_recoverable(text);
     errors.is_empty().then(|| table(document.get_ref()))
@@ -58,7 +58,7 @@ fn cases(folder: &str) -> Vec<(String, String)> {
     let mut cases = Vec::new();
     for entry in fs::read_dir(root().join("fixtures").join(folder)).unwrap() {
         let path = entry.unwrap().path();
-        // What the papers print of the RICSAC collisions is no case.
+        // The printed results of the RICSAC collisions are not a case.
         if path.extension().is_some_and(|ending| ending == "toml") && !path.ends_with("published.toml") {
             let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
             cases.push((name, fs::read_to_string(path).unwrap()));
@@ -109,7 +109,7 @@ fn valid_cases_are_valid() {
     assert!(read >= 35, "only {read} cases were found");
 }
 
-/// The invalid cases that a schema cannot refuse, by why.
+/// The invalid cases that a schema cannot refuse, by reason.
 const BEYOND: &[(&str, &[&str])] = &[
     ("the order of two limits", &["certain-speed-order"]),
     (
@@ -174,7 +174,7 @@ fn invalid_cases_are_invalid_unless_it_takes_arithmetic() {
     let beyond: BTreeSet<&str> = BEYOND.iter().flat_map(|(_, names)| *names).copied().collect();
     let mut wrong = Vec::new();
     for (name, text) in invalid_cases() {
-        // What is no TOML does not get as far as the schema.
+        // A text that is not TOML does not get as far as the schema.
         let Some(document) = document(&text) else { continue };
         if validator.is_valid(&document) != beyond.contains(name.as_str()) {
             wrong.push(name);
@@ -325,7 +325,7 @@ fn words() -> BTreeSet<String> {
     words
 }
 
-/// Cases in which a key has this value: of `[impact]`, one under each law.
+/// Cases in which a key has this value: for a key of `[impact]`, one under each law.
 fn of_key(path: &str, value: &str) -> Vec<String> {
     let (tables, key) = path.rsplit_once('.').unwrap_or(("", path));
     match tables {
@@ -353,7 +353,7 @@ fn of_key(path: &str, value: &str) -> Vec<String> {
         | "estimate"
         | "avoid"
         | "avoid.sight" => vec![format!("[{tables}]\n{key} = {value}")],
-        // What stands in braces is in the values above.
+        // Values in braces are among the values above.
         _ => Vec::new(),
     }
 }
@@ -368,7 +368,7 @@ fn the_schema_judges_values_as_the_reader_does() {
     for (path, _) in keys(&schema()) {
         let pointer = format!("/{}", path.replace('.', "/"));
         for value in &values {
-            // The reader finds fault with no spacing only beside depths.
+            // The reader reports an empty spacing only if there are depths.
             if path.ends_with(".spacing") && value == "[]" {
                 continue;
             }
@@ -430,7 +430,7 @@ fn pieces() -> impl Strategy<Value = &'static str> {
     select(pieces)
 }
 
-/// A spelling of a unit, with some of its pieces said otherwise.
+/// A spelling of a unit, with some of its pieces written otherwise.
 fn spelt() -> impl Strategy<Value = String> {
     let spellings: Vec<&'static str> =
         Dimension::ALL.into_iter().flat_map(Dimension::units).flat_map(|unit| unit.spellings()).collect();
@@ -457,7 +457,7 @@ fn spelt() -> impl Strategy<Value = String> {
     )
 }
 
-/// What the texts of these keys have to be.
+/// The patterns that the texts of these keys have to match.
 static PATTERNS: LazyLock<BTreeMap<&str, Validator>> = LazyLock::new(|| {
     let schema = schema();
     let vehicle = &schema["$defs"]["vehicle"]["properties"];
@@ -516,7 +516,7 @@ fn taken_and_read(key: &str, dimension: Dimension, text: &str) -> (bool, bool) {
     (takes, reads)
 }
 
-/// The "lbf" at the beginning of another word is no pound-force, and what is left of the word no unit.
+/// The "lbf" at the beginning of another word is not a pound-force, and the rest of the word is not a unit.
 #[test]
 fn a_pound_force_is_a_word_of_its_own() {
     for (key, dimension, wrong, right) in [

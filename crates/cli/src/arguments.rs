@@ -127,14 +127,14 @@ pub(crate) enum Command {
     Man(ManArguments),
 }
 
-/// What a command asks of cases, and where the answer goes.
+/// The request of a command on cases, and the destination of the answer.
 #[derive(Debug)]
 pub(crate) struct Asked {
     pub(crate) request: Request,
     pub(crate) cases: CasesArguments,
-    /// A report with the program in it.
+    /// Whether the report has the program in it.
     pub(crate) is_live: bool,
-    /// The page for that, where it is named.
+    /// The page for that, if it is named.
     pub(crate) page: Option<PathBuf>,
     pub(crate) samples_out: Option<PathBuf>,
     pub(crate) plots: Option<(PathBuf, PictureFormat)>,
@@ -404,7 +404,7 @@ pub(crate) fn parse(
     Command::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
-/// A value of an option: its name, its meaning if that has to be said, and what it is.
+/// A word for an option: its name, its meaning if that needs explanation, and its value.
 type Word<T> = (&'static str, &'static str, T);
 
 /// Words of a library, each with its meaning.
@@ -564,7 +564,7 @@ fn plot_formats() -> [Word<PictureFormat>; 3] {
 pub(crate) struct Destination(PathBuf);
 
 impl Destination {
-    /// Nothing where it is standard output.
+    /// `None` for standard output.
     pub(crate) fn file(&self) -> Option<&Path> {
         (self.0 != Path::new("-")).then_some(&self.0)
     }

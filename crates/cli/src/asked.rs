@@ -52,7 +52,7 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
         }
     }
     let document = || match (&answer, arguments.format) {
-        // In a terminal the results; the report to hand over has all steps and the case file besides.
+        // A terminal gets the results; the report to hand over also has all steps and the case file.
         (Answer::Analysis(_), Format::Html | Format::Markdown) => {
             handed_over(&arguments.case, &file, &answer, units)
         }
@@ -60,7 +60,7 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
     };
     present(arguments.format, arguments.output.file(), document, || answer.json(&file))?;
     if let Some(failure) = unweighed {
-        // The exact solution stands there as one.
+        // The exact solution has been printed as such.
         return answered(Err(failure), &file, units)
             .context("the evidence could not be weighed, so the case has no headline");
     }

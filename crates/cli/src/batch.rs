@@ -23,7 +23,7 @@ const AHEAD: usize = 16;
 
 const CANNOT_WRITE: &str = "cannot write the rows";
 
-/// What a row is.
+/// The form of a row.
 #[derive(Clone, Copy)]
 pub(crate) enum Rows {
     Csv(Csv),
@@ -69,7 +69,7 @@ pub(crate) fn write(
         progress.as_mut().is_some_and(|progress| progress.at("case files", done, cases.len()).is_break())
     });
     match written {
-        // Whoever reads has read enough, as `head` does.
+        // The reader has read enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => Ok(()),
         // The rows that there are.
         Err(error) if error.is::<NoAnswer>() => sink.finish().with_context(cannot).and(Err(error)),
@@ -82,8 +82,8 @@ pub(crate) fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == ErrorKind::BrokenPipe)
 }
 
-/// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that
-/// is enough.
+/// Writes each row as soon as all before it are written. `ends` receives the number of rows written, and
+/// returns whether that is enough.
 fn rows(
     cases: &[PathBuf],
     (request, format): (&Request, Rows),
@@ -104,7 +104,7 @@ fn rows(
             {
                 let (send, receive) = mpsc::sync_channel::<Written>(1);
                 scope.spawn(move |_| {
-                    // Nobody waits for it where the writing has ended.
+                    // Sending fails if the writing has ended.
                     let _ = send.send(row(path, request, format));
                 });
                 begun.push_back(receive);

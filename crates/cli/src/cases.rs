@@ -12,7 +12,7 @@ use crate::batch::{self, Rows};
 use crate::files::named;
 use crate::threads::pool;
 
-/// Writes a row for each case, where rows are asked for; else the arguments for the report on one.
+/// Writes a row for each case if rows are requested; else returns the arguments for the report on one.
 pub(crate) fn of_cases(arguments: CasesArguments, request: &Request) -> Result<Option<Arguments>> {
     let CasesArguments { mut cases, format, units, threads, csv_style, output } = arguments;
     let Some(table) = request.rows() else {

@@ -81,7 +81,7 @@ pub(crate) fn files_of(path: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// What a folder has, in the order of the names; nothing if it is a file.
+/// The entries of a folder, in the order of their names; none if it is a file.
 fn entries(path: &Path) -> Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(Vec::new());
@@ -98,12 +98,12 @@ fn is_table_of_year(path: &Path) -> bool {
     )
 }
 
-/// What begins a ZIP file, and one without any file.
+/// The first bytes of a ZIP file, and of one without any file.
 const ZIP: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
 
 /// Whether it is a ZIP file by its first bytes.
 fn is_zip(path: &Path) -> Result<bool> {
-    // What is read of a pipe is gone.
+    // Bytes read from a pipe are gone.
     if path.exists() && !path.is_file() {
         return Ok(false);
     }
@@ -137,11 +137,11 @@ fn sources_in(folder: &Path) -> Result<Vec<Source>> {
         }
     }
     found.retain(|source| has_tables(&source.names));
-    // It says what the folder has instead.
+    // The error on the folder itself names what it has instead.
     Ok(if found.is_empty() { vec![itself] } else { found })
 }
 
-/// Where the tables of a year are.
+/// The place of the tables of a year.
 struct Source {
     path: PathBuf,
     /// The names of its files.
@@ -193,14 +193,14 @@ impl Source {
     }
 }
 
-/// What the years of a run share.
+/// The state shared by the years of a run.
 struct Reading {
     progress: Progress,
     done: usize,
     total: usize,
-    /// (bytes) what may still be read.
+    /// (bytes) that may still be read.
     left: usize,
-    /// Of each table of the year.
+    /// The SHA-256 of each table of the year.
     sha256: Vec<String>,
 }
 
@@ -316,10 +316,11 @@ mod tests {
         let refused = year.read(0).unwrap_err().to_string();
         assert_eq!((year.reading.left, year.reading.sha256.len()), (1 << 19, 1));
         assert!(
-            refused.starts_with("CRASH.csv: more than is read, 256 MB of a table and 1024 MB of all"),
+            refused
+                .starts_with("CRASH.csv: too large, as at most 256 MB of a table and 1024 MB of all tables"),
             "{refused}"
         );
-        // What is left bounds what a source hands over, whatever it claims to hold.
+        // The remaining number of bytes limits what a source hands over, whatever size it claims.
         assert_eq!(source.content(0, 10).unwrap().len(), 11);
         assert_eq!(LARGEST_TABLE, 256 << 20);
     }

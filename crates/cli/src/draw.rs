@@ -47,12 +47,12 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let analysis = answered(subject.analysis(&file.case), &file, units)?;
     let overdetermined = analysis.overdetermined().is_some();
     let drawing = DrawingRequest { subject, plain };
-    // Readers who are no engineers get the answer, or no speeds.
+    // Readers who are not engineers get the answer, or no speeds.
     let weighed = if plain && overdetermined { weigh(&analysis, &file, units)? } else { None };
     let drawing = drawing.draw(&file, &analysis, weighed.as_ref(), units, site_plan)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
     let (warnings, command) = match (analysis.warnings.len(), &analysis.found, analysis.exchange()) {
-        // What was not solved may have warnings that need no answer.
+        // A case that was not solved may have warnings that need no answer.
         (0, None, None) => (analysis::judge(&file.case).warnings.len(), "check"),
         (warnings, Some(_), _) => (warnings, "reconstruct"),
         (warnings, None, Some(_)) if analysis.both.is_some() => (warnings, "reconstruct"),
@@ -87,7 +87,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     write_picture(path, &drawing, format)
 }
 
-/// All the evidence; nothing, and a line that says why, where it cannot be weighed.
+/// All the evidence, weighed; `None`, and a line with the reason, if it cannot be weighed.
 fn weigh(analysis: &Analysis, file: &CaseFile, units: Units) -> Result<Option<Weighed>> {
     let weighed = in_pool(&pool(None)?, |progress| requests::weigh(&file.case, analysis, progress))?;
     answered(weighed, file, units).or_else(|reason| {
@@ -130,7 +130,7 @@ fn avoided(file: &CaseFile, units: Units, picture: AvoidPicture) -> Result<Drawi
     picture.draw(&file.case, &found, units).map_err(|reason| NoAnswer(reason.to_owned()).into())
 }
 
-/// Says what a case lacks for a drawing, and what else can be drawn of it.
+/// Reports the data that a case lacks for a drawing, and what else can be drawn.
 fn cannot_draw(obstacle: DrawingError, file: &CaseFile, units: Units) -> Result<()> {
     if let DrawingError::Analysis(failure) = obstacle {
         return answered(Err(failure), file, units);

@@ -1,4 +1,4 @@
-//! What is read and written, and how messages name it.
+//! Reading and writing of files, and their names in messages.
 
 use std::fs;
 use std::io::{self, ErrorKind, Read as _, Write as _};
@@ -18,12 +18,13 @@ pub(crate) fn case_file(path: &Path) -> Result<CaseFile> {
     Ok(file)
 }
 
-/// A path as messages write it.
+/// A path as shown in messages.
 pub(crate) fn named(path: &Path) -> Text {
     path.display().to_string().into()
 }
 
-/// One byte more than what is read may have is enough to refuse it; a device or a pipe may have no end.
+/// Reads at most one byte more than allowed, which is enough to refuse the source; a device or a pipe may
+/// have no end.
 pub(crate) fn read_at_most(most: usize, source: impl io::Read) -> io::Result<Vec<u8>> {
     // Most cases fit in this.
     let mut bytes = Vec::with_capacity(1 << 13);
@@ -38,7 +39,7 @@ pub(crate) fn read_text(path: &Path) -> Result<(String, String)> {
     Ok((name, text))
 }
 
-/// The name to show in messages, and what is in the file.
+/// The name to show in messages, and the content of the file.
 pub(crate) fn read(path: &Path) -> Result<(String, Vec<u8>)> {
     if path == Path::new("-") {
         let bytes = read_at_most(CaseFile::LARGEST_FILE, io::stdin())
@@ -64,7 +65,7 @@ pub(crate) fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()>
         (written, Some(path)) => {
             written.with_context(|| format!("cannot write the output to {}", named(path)))
         }
-        // Whoever reads has read enough, as `head` does.
+        // The reader has read enough, as `head` does.
         (Err(error), None) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         (written, None) => written.context("cannot write to standard output"),
     }

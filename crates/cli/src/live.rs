@@ -11,17 +11,17 @@ use report::Document;
 use crate::arguments::{CasesArguments, CasesFormat};
 use crate::files::named;
 
-/// What the page is called beside the program.
+/// The name of the page next to the program.
 const PAGE: &str = "deltav.html";
 
-/// The text of a page into which a report is put, and what messages call it.
+/// The text of a page into which a report is put, and its name in messages.
 pub(crate) struct Page {
     name: Text,
     text: String,
 }
 
 impl Page {
-    /// That which the arguments name, or that beside the program.
+    /// The page that the arguments name, or the one next to the program.
     pub(crate) fn read(arguments: &CasesArguments, page: Option<&Path>) -> Result<Self> {
         if arguments.format != CasesFormat::Html {
             bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
@@ -47,7 +47,7 @@ impl Page {
     }
 }
 
-/// The page beside the program.
+/// The path of the page next to the program.
 pub(crate) fn beside() -> Result<PathBuf> {
     let program =
         env::current_exe().context("cannot tell where the program is: name the page with --page FILE")?;

@@ -44,7 +44,7 @@ fn main() -> ExitCode {
     match outputs::check(&command).and_then(|()| run(command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // Nothing is left to be done where standard error is closed.
+            // If standard error is closed, nothing more can be done.
             let _ = writeln!(io::stderr(), "{}", message(&error));
             ExitCode::from(status(&error))
         }
@@ -57,7 +57,7 @@ fn not_a_command(error: &clap::Error) -> ExitCode {
         // The message quotes the command line, which a script may have made of the name of a file.
         let shown = std::env::args_os().map(|argument| case::shown(&argument.to_string_lossy()).into_owned());
         let again = arguments::parse(shown).err();
-        // Nothing is left to be done where standard error is closed.
+        // If standard error is closed, nothing more can be done.
         let _ = again.as_ref().unwrap_or(error).print();
         return ExitCode::from(WRONG_INPUT);
     }
@@ -84,7 +84,7 @@ fn run(command: Command) -> Result<()> {
     }
 }
 
-/// What is said of an error: each cause once, and nothing of it acts on the terminal.
+/// The message of an error: each cause once, without characters that act on the terminal.
 fn message(error: &anyhow::Error) -> String {
     // Diagnostics render themselves with the word "error" and their place in the file.
     if error.is::<Diagnostics>() {

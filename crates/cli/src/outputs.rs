@@ -1,5 +1,5 @@
-//! What a command writes has a place, and does not replace what it reads, nor any other case file, nor what
-//! else it writes.
+//! Checks the outputs of a command: each can be written, and replaces neither an input, nor any other case
+//! file, nor another output.
 
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -23,7 +23,7 @@ struct Output<'a> {
     /// The option that names it.
     option: &'static str,
     path: &'a Path,
-    /// What a name to propose ends in.
+    /// The ending of a proposed name.
     ending: &'static str,
 }
 
@@ -36,7 +36,7 @@ struct Folder<'a> {
 
 /// A file that is read.
 struct Input<'a> {
-    /// What it is, as a sentence has it.
+    /// Its description within a sentence.
     what: &'static str,
     path: Cow<'a, Path>,
 }
@@ -158,7 +158,7 @@ fn check_folder(
             );
         }
     }
-    // A folder that cannot be read cannot be written to either, which is said then.
+    // A folder that cannot be read cannot be written to either, which is reported then.
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let (name, path) = (entry.file_name(), entry.path());
         if !name.to_str().is_some_and(is_name) {
@@ -179,7 +179,7 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        // Which are checked before they are asked.
+        // Its files are checked before it is asked.
         Command::Question(_) => Files::default(),
         Command::Table(arguments) => Files {
             inputs: Input::of("the table", &arguments.cases)
@@ -239,7 +239,7 @@ fn of_asked(asked: &Asked) -> Files<'_> {
     };
     let page = match page {
         Some(page) => Some(Cow::Borrowed(page.as_path())),
-        // Where it cannot be told, the report says so.
+        // If it cannot be found, the report fails with a message.
         None if *is_live => live::beside().ok().map(Cow::Owned),
         None => None,
     };
@@ -253,7 +253,7 @@ fn of_asked(asked: &Asked) -> Files<'_> {
     }
 }
 
-/// Where the picture lies that a case names, if it can be read and names one.
+/// The path of the picture that a case names, if the case can be read and names one.
 fn site_plan_of(case: &Path) -> Option<PathBuf> {
     if !is_file(case) {
         return None;
@@ -263,7 +263,7 @@ fn site_plan_of(case: &Path) -> Option<PathBuf> {
     file.case.site_plan.as_ref().map(|plan| plan_path(case, plan))
 }
 
-/// What to add so that a file holds the format that its name says, where that is another format of a report.
+/// The option that makes a file have the format of its name, if that is another format of a report.
 fn other_format(output: &Output<'_>) -> Option<&'static str> {
     if ![REPORT, PAGE, TOPIC].iter().any(|endings| endings.contains(&output.ending)) {
         return None;
@@ -279,7 +279,7 @@ fn other_format(output: &Output<'_>) -> Option<&'static str> {
     }
 }
 
-/// What names to propose end in, in the order of [`ending`].
+/// The endings of proposed names, in the order of [`ending`].
 type Endings = [&'static str; 4];
 const REPORT: Endings = ["-report.txt", "-report.json", "-report.html", "-report.md"];
 const PAGE: Endings = ["-page.txt", "-page.json", "-page.html", "-page.md"];
@@ -302,7 +302,7 @@ fn is_plot(name: &str) -> bool {
     without_ending(name).is_some_and(|name| name.starts_with("tornado-") || name.starts_with("histogram-"))
 }
 
-/// The name of a picture, without what says its format.
+/// The name of a picture without the ending that shows its format.
 fn without_ending(name: &str) -> Option<&str> {
     let (name, ending) = name.rsplit_once('.')?;
     PictureFormat::ALL.iter().any(|format| format.extension() == ending).then_some(name)
@@ -312,7 +312,7 @@ fn is_page(name: &str) -> bool {
     name.ends_with(".1") && name.starts_with("deltav")
 }
 
-/// A name beside the refused one.
+/// A proposed name, based on the refused one.
 fn proposal(output: &Output<'_>) -> String {
     let mut name = output.path.file_stem().map_or_else(OsString::new, OsString::from);
     name.push(output.ending);
@@ -344,7 +344,7 @@ fn is_one_file(first: &Path, second: &Path) -> bool {
         && is_same_file(parent(first), parent(second)).unwrap_or(false)
 }
 
-/// Whether it is there, and it or what it links to is called so.
+/// Whether it exists, and its name or that of its target ends so.
 fn is_toml(path: &Path) -> bool {
     let is_called = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     is_file(path) && (is_called(path) || fs::canonicalize(path).is_ok_and(|path| is_called(&path)))

@@ -20,7 +20,7 @@ pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
     match folder {
         Some(folder) => {
             let mut command = for_pages().disable_help_subcommand(true);
-            // Pages are named after the commands before them too, which it gives them.
+            // The names of pages include the commands above, which this adds.
             command.build();
             pages(&command, folder)
         }
@@ -46,7 +46,7 @@ fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
     write(Some(&folder.join(manual.get_filename())), page)
 }
 
-/// The command with its whole description and, beside its options, the meaning of their values.
+/// The command with its whole description and, in its options, the meaning of their values.
 fn described(command: clap::Command) -> clap::Command {
     let description: Vec<String> = [command.get_about(), command.get_before_help()]
         .into_iter()
@@ -62,7 +62,7 @@ fn described(command: clap::Command) -> clap::Command {
         .arg(help)
 }
 
-/// The commands with dots behind what may be given several times, which clap_mangen leaves out.
+/// The commands with dots after arguments that may be given several times, which clap_mangen leaves out.
 fn for_pages() -> clap::Command {
     described(Command::command())
         .mut_subcommands(|command| {

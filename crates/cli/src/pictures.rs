@@ -8,7 +8,7 @@ use report::{Drawing, PictureFormat};
 
 use crate::files::{named, write};
 
-/// Writes a drawing, and says on standard error which of its letters it could not draw.
+/// Writes a drawing, and reports on standard error which of its letters it could not draw.
 pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: PictureFormat) -> Result<()> {
     let missing: Vec<String> =
         drawing.missing_letters().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();

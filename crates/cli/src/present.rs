@@ -1,4 +1,4 @@
-//! How an answer is presented: its format, its units, and what is said where there is none.
+//! The presentation of an answer: its format, its units, and the message if there is none.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::arguments::Format;
 use crate::files::write;
 use crate::terminal;
 
-/// Writes a document, or its data as JSON, to where the arguments say. Only what is written is made.
+/// Writes a document, or its data as JSON, to the destination in the arguments. Only what is written is made.
 pub(crate) fn present<E>(
     format: Format,
     output: Option<&Path>,
@@ -47,8 +47,7 @@ impl std::fmt::Display for NoAnswer {
 
 impl std::error::Error for NoAnswer {}
 
-/// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its
-/// own.
+/// The answer, or a failure in the units of the reader; faults of the file are reported in its own units.
 pub(crate) fn answered<T>(answer: Result<T, Failure>, file: &CaseFile, units: Units) -> Result<T> {
     answer.map_err(|failure| match failure {
         Failure::Case(faults) => file.diagnostics(&faults, &report::PROGRAM).into(),

@@ -1,4 +1,4 @@
-//! How far a long run is, and its end by Ctrl-C.
+//! The progress of a long run, and its end by Ctrl-C.
 
 use std::io::{IsTerminal as _, Write as _, stderr};
 use std::ops::ControlFlow;
@@ -13,27 +13,27 @@ use crate::sink;
 /// A shorter run needs no bar.
 const LONG: Duration = Duration::from_secs(1);
 
-/// How often a line is written where there is no terminal.
+/// Time between two lines if there is no terminal.
 const EVERY: Duration = Duration::from_secs(10);
 
-/// The variable with which scripts that compare what the program writes turn the lines off.
+/// The variable by which scripts that compare the output of the program turn the lines off.
 const OFF: (&str, &str) = ("DELTAV_PROGRESS", "off");
 
 /// Whether Ctrl-C was pressed, and whether it is listened to.
 static ENDED: AtomicBool = AtomicBool::new(false);
 static LISTENS: AtomicBool = AtomicBool::new(false);
 
-/// A bar on the terminal of standard error, a line now and then where that is none; and whether Ctrl-C was
-/// pressed.
+/// A bar on standard error if that is a terminal, else a line now and then; and whether Ctrl-C was pressed.
 pub(crate) struct Progress {
     began: Instant,
     bar: Option<(&'static str, ProgressBar)>,
-    /// When the last line was written, where lines are.
+    /// When the last line was written, if lines are written.
     line: Option<Instant>,
 }
 
 impl Progress {
-    /// From now on Ctrl-C, or a request to terminate, ends the run and not the program; a second one does.
+    /// From now on Ctrl-C, or a request to terminate, ends the run instead of the program; a second one ends
+    /// the program.
     pub(crate) fn new() -> Result<Self> {
         if !LISTENS.swap(true, Ordering::Relaxed) {
             ctrlc::set_handler(|| {
@@ -51,13 +51,13 @@ impl Progress {
         Ok(Self { began, bar: None, line: has_lines.then_some(began) })
     }
 
-    /// Draws the bar, or writes a line, which says what is counted; breaks after Ctrl-C.
+    /// Draws the bar, or writes a line, which names what is counted; breaks after Ctrl-C.
     pub(crate) fn at(&mut self, counted: &'static str, done: usize, total: usize) -> ControlFlow<()> {
         if let Some(line) = &mut self.line {
             if line.elapsed() > EVERY {
                 *line = Instant::now();
                 let seconds = self.began.elapsed().as_secs();
-                // Where nobody can read it, the run goes on.
+                // If nobody can read it, the run goes on.
                 let _ = writeln!(stderr(), "{done} of {total} {counted} after {seconds} s");
             }
         } else if self.began.elapsed() > LONG {
@@ -73,7 +73,7 @@ impl Progress {
             bar.set_position(done);
             return;
         }
-        // What was done before the bar appears is no measure of the speed from then on.
+        // Progress before the bar appears is not a measure of the speed from then on.
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr())
             .with_elapsed(self.began.elapsed())
             .with_position(done);

@@ -1,5 +1,5 @@
-//! Where output goes. A file is written beside its place and then takes it in one step: until then the old
-//! one is there, and where the writing fails, it stays.
+//! The destination of output. A file is written next to its place and then takes it in one step: until then
+//! the old one is there, and if the writing fails, it stays.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Stdout, Write};
@@ -11,9 +11,9 @@ use tempfile::NamedTempFile;
 /// Takes bytes; [`finish`](Self::finish) puts them into their place.
 pub(crate) enum Sink {
     StandardOutput(Stdout),
-    /// A device or a pipe, which cannot be replaced, or what a link is to create.
+    /// A device or a pipe, which cannot be replaced, or a file that a link is to create.
     Device(File),
-    /// A file beside its place.
+    /// A file next to its place.
     Beside {
         file: NamedTempFile,
         place: PathBuf,
@@ -30,7 +30,7 @@ impl Sink {
         if is_open || fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
             return Ok(Self::Device(OpenOptions::new().append(true).open(path)?));
         }
-        // What a link leads to is replaced, and not the link.
+        // The target of a link is replaced, not the link.
         let place = match fs::canonicalize(path) {
             Ok(place) => place,
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
@@ -65,7 +65,7 @@ impl Sink {
         match self {
             Self::StandardOutput(stdout) => stdout,
             Self::Device(device) => device,
-            // Its own errors would name it.
+            // The errors of the temporary file itself would name it.
             Self::Beside { file, .. } => file.as_file_mut(),
         }
     }
@@ -81,8 +81,8 @@ impl Write for Sink {
     }
 }
 
-/// Writes a file that must not exist: another one of that name stays, whatever happens between a look and the
-/// writing.
+/// Writes a file that must not exist: another one of that name stays, even if it appears between a check and
+/// the writing.
 pub(crate) fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if path.symlink_metadata().is_ok() {
         return Err(ErrorKind::AlreadyExists.into());
@@ -96,7 +96,7 @@ pub(crate) fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// The file that is being written, under its name for the time being.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Removes what is being written, before the program is left in the middle of it.
+/// Removes the file that is being written, before the program is left in the middle of it.
 pub(crate) fn remove_unfinished() {
     let unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).take();
     if let Some(path) = unfinished {

@@ -34,7 +34,7 @@ use crate::progress::Progress;
 use crate::sink::Sink;
 use crate::threads::pool;
 
-/// Rows that are in memory at a time, but for those of a row group of the output.
+/// Rows that are in memory at a time, except for those of a row group of the output.
 const AT_ONCE: usize = 8192;
 
 /// Rows of a row group of a Parquet file: what is in memory until it is written.
@@ -67,7 +67,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
     let pool = pool(arguments.threads)?;
     let written = rows(job, &mut input, &template, &options, &pool, output);
     match written {
-        // Whoever reads has read enough, as `head` does.
+        // The reader has read enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => Ok(()),
         other => other,
     }
@@ -142,7 +142,7 @@ fn rows(
     Ok(())
 }
 
-/// Says which numbers are taken as SI because nothing says their unit.
+/// Reports which numbers are taken as SI because nothing gives their unit.
 fn say_units(batch: &RecordBatch) -> Result<()> {
     let assumed = assumed_units(batch)?;
     let Some((first, _)) = assumed.first() else { return Ok(()) };
@@ -156,13 +156,13 @@ fn say_units(batch: &RecordBatch) -> Result<()> {
     Ok(())
 }
 
-/// A line for who runs the program, beside the results.
+/// A line for the user of the program, in addition to the results.
 fn note(text: &str) {
-    // Where nobody can read it, the run goes on.
+    // If nobody can read it, the run goes on.
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// The next rows, and what is wrong with each of them already.
+/// The next rows, and the fault of each that was found on reading.
 type Rows = (RecordBatch, Vec<Option<String>>);
 
 /// A table that is read batch by batch.
@@ -172,7 +172,7 @@ struct Input {
     schema: SchemaRef,
     /// The places among them of those to carry over.
     kept: Vec<usize>,
-    /// How many rows there are, where the file says so.
+    /// The number of rows, if the file gives it.
     total: Option<usize>,
 }
 
@@ -199,7 +199,8 @@ impl Input {
         } else if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet")) {
             bail!("{} is not a Parquet file: it does not begin with PAR1", named(path))
         } else {
-            // A first look counts the lines and tells wrong ones, which costs little beside the rest.
+            // A first look counts the lines and reports wrong ones, which costs little compared with the
+            // rest.
             let lines = look_through(&name, &file, cannot)?;
             file.rewind().with_context(cannot)?;
             Self::csv(&name, Box::new(file), keep, Some(lines)).with_context(cannot)
@@ -217,7 +218,7 @@ impl Input {
         let schema = Arc::new(schema.project(&read)?);
         let mask = ProjectionMask::roots(builder.parquet_schema(), read.iter().copied());
         let total = usize::try_from(builder.metadata().file_metadata().num_rows()).ok();
-        // Whatever is read, its place is that among what is read.
+        // Places are counted among the columns that are read.
         let kept = kept.iter().filter_map(|place| read.iter().position(|one| one == place)).collect();
         let is_slow = matches!(job, Job::Estimate | Job::Avoid);
         let at_once = if is_slow || options.samples.is_some() { AT_ONCE / 8 } else { AT_ONCE };
@@ -265,13 +266,13 @@ impl Input {
     }
 }
 
-/// How a Parquet file begins.
+/// The first bytes of a Parquet file.
 const PARQUET: &[u8; 4] = b"PAR1";
 
 /// (bytes) of texts that are in memory at a time.
 const BYTES_AT_ONCE: usize = 1 << 26;
 
-/// What separates columns, and its name; the first is the usual one.
+/// The separators of columns, and their names; the first is the usual one.
 const SEPARATORS: [(u8, &str); 4] = [(b',', "commas"), (b';', "semicolons"), (b'\t', "tabs"), (b'|', "bars")];
 
 /// A CSV table whose header is read.
@@ -279,7 +280,7 @@ struct Opened<R> {
     reader: csv::Reader<BufReader<io::Chain<Cursor<Vec<u8>>, R>>>,
     /// A text for each column.
     schema: SchemaRef,
-    /// What separates the columns, where that is not the usual.
+    /// The separator of the columns, if that is not the usual one.
     called: Option<&'static str>,
 }
 
@@ -321,8 +322,7 @@ fn first_line(source: &mut dyn Read) -> Result<Vec<u8>> {
     Ok(line)
 }
 
-/// What separates the columns: of the usual characters the one that the header has most of, outside of
-/// quotes.
+/// The separator of the columns: the usual character that is most frequent in the header, outside of quotes.
 fn separator(header: &[u8]) -> Result<u8> {
     if header.starts_with(&[0xff, 0xfe]) || header.starts_with(&[0xfe, 0xff]) {
         bail!("it is encoded in UTF-16: save it as CSV in UTF-8");
@@ -337,12 +337,12 @@ fn separator(header: &[u8]) -> Result<u8> {
             counts[place] += 1;
         }
     }
-    // Of as many, the first.
+    // The first of equally frequent ones.
     let most = (0..SEPARATORS.len()).rev().max_by_key(|place| counts[*place]).unwrap_or_default();
     Ok(SEPARATORS[most].0)
 }
 
-/// What is wrong with a row, with its place.
+/// The fault of a row, with its place.
 fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) -> Option<String> {
     let line = record.position().map_or(0, csv::Position::line);
     if record.len() != fields.len() {
@@ -371,12 +371,12 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
     ))
 }
 
-/// The number of rows of a CSV file. Tells rows that are wrong before any is computed.
+/// The number of rows of a CSV file. Reports wrong rows before any row is computed.
 fn look_through(name: &str, file: &File, cannot: impl Fn() -> String + Copy) -> Result<usize> {
-    /// Wrong rows that are told one by one.
+    /// Maximum number of wrong rows that are reported one by one.
     const TOLD: usize = 3;
     let Opened { mut reader, schema, .. } = Opened::of(file).with_context(cannot)?;
-    // A table of which nothing can be read is refused as a whole.
+    // A table without any readable row is refused as a whole.
     if columns_kept(&schema).is_err() {
         return Ok(0);
     }
@@ -398,7 +398,7 @@ fn look_through(name: &str, file: &File, cannot: impl Fn() -> String + Copy) -> 
     if wrong > TOLD {
         note(&format!("warning: {} more rows are wrong like this", wrong - TOLD));
     }
-    // A quote that nothing closes makes one cell of all that follows.
+    // A quote that is not closed makes one cell of all that follows.
     if let Some(line) = open.filter(|_| !ends_in_quote(file).unwrap_or(true)) {
         bail!(
             "{name}:{line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
@@ -418,7 +418,7 @@ fn ends_in_quote(mut file: &File) -> io::Result<bool> {
     Ok(end.iter().rev().find(|byte| !matches!(byte, b'\n' | b'\r')) == Some(&b'"'))
 }
 
-/// What reading a Parquet file gives; damaged ones make the library panic in places.
+/// The result of reading a Parquet file; damaged ones make the library panic in places.
 fn undamaged<T>(read: impl FnOnce() -> Result<T>) -> Result<T> {
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| ()));
@@ -443,7 +443,7 @@ fn fits_in_memory(metadata: &ParquetMetaData) -> Result<usize> {
                     group.num_rows()
                 );
             }
-            // A text that stands once in the file may be that of every row.
+            // A text that is stored once in the file may be that of every row.
             if column.column_type() == parquet::basic::Type::BYTE_ARRAY {
                 let longest = usize::try_from(column.uncompressed_size()).unwrap_or(usize::MAX).max(1);
                 at_once = at_once.min((BYTES_AT_ONCE / longest).max(64));
@@ -478,7 +478,7 @@ fn kept(schema: &Schema, keep: Option<&[String]>, others: &[usize]) -> Result<Ve
     Ok(places)
 }
 
-/// Where the results go.
+/// The destination of the results.
 enum Output {
     Parquet(ArrowWriter<Sink>),
     Csv(csv::Writer<BufWriter<Sink>>),
@@ -532,7 +532,7 @@ impl Output {
     }
 }
 
-/// The cause itself, by which the end of a pipe is told.
+/// The cause itself, by which the end of a pipe is recognised.
 fn of_csv(error: csv::Error) -> anyhow::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error.into(),
@@ -574,7 +574,7 @@ impl<'a> Texts<'a> {
     fn cell(&self, row: usize) -> Result<String> {
         Ok(match self {
             Self::Numbers(array) if array.is_valid(row) => {
-                // As the JSON of the other commands has it.
+                // As in the JSON of the other commands.
                 let text = format!("{:?}", array.value(row));
                 text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
             }
@@ -585,7 +585,7 @@ impl<'a> Texts<'a> {
             }
             Self::Others(array, formatter) if array.is_valid(row) => {
                 let text = formatter.value(row).try_to_string()?;
-                // A number that begins with a sign is no formula.
+                // A number that begins with a sign is not a formula.
                 if text.trim().parse::<f64>().is_ok() { text } else { report::no_formula(&text) }
             }
             _ => String::new(),
@@ -593,7 +593,7 @@ impl<'a> Texts<'a> {
     }
 }
 
-/// The columns that a table can have, one in a line: name with the SI unit, what it holds, and its meaning.
+/// The columns that a table can have, one in a line: name with the SI unit, kind of value, and meaning.
 fn keys() -> String {
     let mut lines = String::new();
     add_keys(key_tree().keys, "", &mut lines);
@@ -615,7 +615,7 @@ fn add_keys(keys: &[KeyInfo], within: &str, lines: &mut String) {
     }
 }
 
-/// What a key holds.
+/// The kind of value of a key.
 fn held(form: Form) -> String {
     let words = || form.words().join(" | ");
     match form {

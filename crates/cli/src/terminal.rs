@@ -7,7 +7,7 @@ use anstream::{AutoStream, ColorChoice};
 use anyhow::{Context as _, Result};
 use report::Document;
 
-/// Prints the document as text for the columns of the terminal, where standard output is one. `NO_COLOR` and
+/// Prints the document as text for the columns of the terminal, if standard output is one. `NO_COLOR` and
 /// `CLICOLOR` are respected.
 pub(crate) fn print(document: &Document) -> Result<()> {
     let stdout = io::stdout();
@@ -19,7 +19,7 @@ pub(crate) fn print(document: &Document) -> Result<()> {
         None => document.text(),
     };
     match AutoStream::new(stdout.lock(), choice).write_all(text.as_bytes()) {
-        // Whoever reads has read enough, as `head` does.
+        // The reader has read enough, as `head` does.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => written.context("cannot write to standard output"),
     }

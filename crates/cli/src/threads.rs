@@ -13,7 +13,7 @@ pub(crate) fn pool(threads: Option<u16>) -> Result<ThreadPool> {
     builder.build().context("cannot start the threads")
 }
 
-/// Runs what takes long in a pool, with a bar on the terminal.
+/// Runs a long task in a pool, with a bar on the terminal.
 pub(crate) fn in_pool<T: Send>(
     pool: &ThreadPool,
     run: impl FnOnce(&mut RequestProgress<'_>) -> T + Send,

@@ -126,7 +126,7 @@ fn judge_field(data: &report::FieldData<'_>, arguments: &ValidateArguments) -> R
     all_of(done, total)
 }
 
-/// The judgement of crashes, with a view of how far it is.
+/// The judgement of crashes, with a display of its progress.
 fn judged<C: field::Crash>(
     crashes: &[C],
     options: &field::Options,
@@ -152,7 +152,7 @@ fn write_plots<const N: usize>(
     Ok(())
 }
 
-/// Writes everything first: what fails is to be seen in full.
+/// Writes everything before it fails, so that all failures can be seen.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     let document = || Ok(report::validation(validation));
     present(arguments.format, arguments.output.file(), document, || report::validation_json(validation))?;
@@ -170,7 +170,7 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     }
 }
 
-/// Refuses figures of a part of the pairs, as Ctrl-C came after so many.
+/// Refuses figures of only a part of the pairs, if Ctrl-C ended the run early.
 fn all_of(done: usize, total: usize) -> Result<()> {
     if done < total {
         let ended = format!("ended early: the figures are those of the first {done} of {total} pairs");

@@ -39,7 +39,7 @@ fn case_files() -> Vec<String> {
     files
 }
 
-/// The invalid cases, most of which stand in the fixtures as changes of one, as a file each.
+/// The invalid cases, most of which are given in the fixtures as changes of one, as a file each.
 static INVALID: LazyLock<Vec<String>> = LazyLock::new(|| {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("invalid");
     fs::create_dir_all(&folder).unwrap();
@@ -76,7 +76,7 @@ fn records(csv: &str) -> Vec<Vec<String>> {
 #[test]
 fn rows_stand_in_the_order_of_the_arguments_and_are_the_same_for_any_number_of_threads() {
     let mut files = case_files();
-    // Neither sorted by name nor by what they cost.
+    // Sorted neither by name nor by their run time.
     files.reverse();
     files.push("no/such/file.toml".to_owned());
     assert!(files.len() > 200);
@@ -143,7 +143,7 @@ fn a_row_says_what_the_json_of_its_file_says() {
             let error = line["error"].as_str().unwrap();
             assert!(error.len() > 10 && !error.contains('\n'), "{file}: {error:?}");
             let help = line.get("help").map_or("", |help| help.as_str().unwrap());
-            // What is refused by the reader alone always says what to write.
+            // An error of the reader always says what to write.
             assert!(!file.contains("/invalid/") || !help.is_empty(), "{file}");
             assert!(!help.contains('\n'));
             let known = ["file", "error", "help", "program", "case"];
@@ -287,7 +287,7 @@ fn no_text_of_a_case_is_a_formula_to_a_spreadsheet() {
     }
 }
 
-/// What a unit of the US columns is in SI: the foot and the pound by definition, and standard gravity.
+/// The size of a unit of the US columns in SI: the foot and the pound by definition, and standard gravity.
 fn in_si(unit: &str) -> f64 {
     let (foot, pound): (f64, f64) = (0.3048, 0.453_592_37 * 9.806_65);
     match unit {
@@ -301,8 +301,8 @@ fn in_si(unit: &str) -> f64 {
     }
 }
 
-/// ½ m v² before less that after is what the works of the impulses add up to: the one of the moment impulse
-/// too.
+/// ½ m v² before less that after is the sum of the works of the impulses, including that of the moment
+/// impulse.
 #[test]
 fn the_energy_of_a_row_balances() {
     let csv = deltav(&["reconstruct", "fixtures/laws/moment.toml", "--format", "csv"]).stdout;
@@ -380,7 +380,7 @@ fn columns_keep_their_names_and_order() {
     }
 }
 
-/// Neither the files nor the order of the columns decide the units: they are asked for.
+/// The units depend neither on the files nor on the order of the columns, but on an option.
 #[test]
 fn us_columns_have_the_values_of_the_si_columns() {
     let mut converted = 0;
@@ -453,7 +453,7 @@ fn rows_of_impacts_are_those_of_their_json_with_nothing_found() {
         }
         answered += 1;
     }
-    // Two files there are no cases: the numbers that the papers print.
+    // Two of the files are not cases: the numbers that the papers print.
     assert_eq!(refused, 2);
     assert!(answered > 5, "{answered}");
     assert_eq!((csv.status.code(), jsonl.status.code()), (Some(1), Some(1)));

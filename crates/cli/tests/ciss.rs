@@ -44,7 +44,7 @@ const SAS: &[u8] = include_bytes!("ciss-sas.zip");
 const PAIR: &str = "2017,7,1,1,99,401,,88,1500,0,F,01FDEW02,40,350,90,154,0,154,12.5,3,20,31,32,40,40,,25,-19,-16,,\
                     -20.0,5.25,2,20,999,2012,4,1400,,L,10LYEW02,290,,,191,95,,109,3,20,28,17,13,18,28,22,-14,17,47152,,\n";
 
-/// The table of pairs that has it.
+/// The table of pairs that contains these lines.
 fn pairs(lines: &[&str]) -> String {
     let names = "VEHNO,MAKE,MODEL,MODELYR,BODYTYPE,CURBWT,CARGOWT,CDCPLANE,CDC,PDOF,HEADINGANG,DVANGTHIS,FIELDL,FIELDLD,\
                  DIRECTL,DIRECTD,C1,C2,C3,C4,C5,C6,CMAX,DVTOTAL,DVLONG,DVLAT,DVENERGY,MAXDVLONG,MAXDVLAT";
@@ -145,7 +145,7 @@ fn several_years_are_judged_together() {
     assert_eq!(cases, ["7 of 2017", "7 of 2018"]);
     let table = pairs(&[PAIR, &later(PAIR)]);
     assert_eq!(both["data"]["sha256"], report::sha256(table.as_bytes()).as_str());
-    // The folder that has both, and what is no year.
+    // The folder that contains both, and other files.
     let mut of_folder = json(&work, &["--field", "."]);
     let years = of_folder["data"]["years"].as_array_mut().unwrap();
     assert_eq!(years.len(), 2);
@@ -250,7 +250,7 @@ fn the_tables_of_a_download_are_not_written_over() {
     assert_eq!(fs::read_to_string(work.join("2017/CDC.csv")).unwrap(), TABLES[2].1);
 }
 
-/// What a look at its first bytes takes from a pipe is gone.
+/// The first bytes of a pipe, once read to recognise its kind, are gone.
 #[cfg(unix)]
 #[test]
 fn a_table_of_pairs_may_come_through_a_pipe() {

@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A rear-end collision whose recorder stored far less than its crush tells.
+/// A rear-end collision whose recorder stored far less than follows from its crush.
 fn contradicted() -> String {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("drawn");
     fs::create_dir_all(&folder).unwrap();

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-/// Two cars whose speeds are unknown; what of it is uncertain is kept short, so that a run takes seconds.
+/// Two cars with unknown speeds; few of the numbers are uncertain, so that a run takes seconds.
 const CASE: &str = include_str!("estimate/case.toml");
 /// Few particles, and the main run alone.
 const FAST: [&str; 3] = ["--particles", "128", "--no-pieces"];
@@ -200,7 +200,7 @@ fn a_known_speed_stays_as_given() {
     assert_eq!(rows, [["30.0"; 6], ["30.0"; 6]], "{text}");
 }
 
-/// A recorder that stored five times the ΔV that all else says.
+/// A recorder that stored five times the ΔV by all other evidence.
 #[test]
 fn evidence_that_contradicts_the_rest_is_warned_of() {
     let case = CASE.replace("\"-9 km/h\"", "\"-45 km/h\"").replace("\"-26 km/h\"", "\"-130 km/h\"");
@@ -264,7 +264,7 @@ fn what_cannot_be_asked_is_refused_before_the_run() {
     }
 }
 
-/// What excludes every collision is named.
+/// The evidence that excludes every collision is named.
 #[test]
 fn impossible_evidence_is_named() {
     // Vehicle 1 backs away from where vehicle 2 stands.
@@ -278,7 +278,7 @@ fn impossible_evidence_is_named() {
     assert!(said(&output).contains("do not approach each other; check the headings"), "{}", said(&output));
 }
 
-/// What is said of the energy that deformed an object goes by its range, also where the car has no damage.
+/// The statement on the energy that deformed an object depends on its range, even if the car has no damage.
 #[test]
 fn the_error_of_an_objects_energy_is_told() {
     const TREE: &str = include_str!("../../../fixtures/leaning-tree.toml");

@@ -64,7 +64,7 @@ fn what_is_no_column_is_refused() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// An option of one kind of table that another one does not know would be left out in silence.
+/// An option for one kind of table that another kind does not have would be ignored in silence.
 #[test]
 fn what_a_kind_of_table_has_no_use_for_is_refused() {
     for option in [&["--other"][..], &["--objects"], &["--judge", "DVTOTAL"]] {

@@ -29,7 +29,7 @@ fn hostile(name: &str) -> (PathBuf, String) {
             _ => format!("{line}\n"),
         })
         .collect();
-    // TOML lets these stand in a comment as they are.
+    // TOML allows these in a comment as they are.
     let text = format!("# \u{9b}8m\u{202e}\u{85}\u{2066}\n{text}");
     let case = format!("a\n{FORGED}\r\u{1b}[8m\u{7}\u{9b}\u{202e}\u{2066}.toml");
     fs::write(folder.join(&case), text).unwrap();
@@ -96,7 +96,7 @@ fn no_text_of_a_case_acts_in_any_output() {
     }
 }
 
-/// Shown, not dropped: who reads sees that something is there.
+/// Shown, not dropped: the reader sees that something is there.
 #[test]
 fn the_characters_are_shown() {
     let (folder, case) = hostile("shown");
@@ -161,7 +161,7 @@ fn no_message_acts() {
         harmless(&message, &output.stdout);
         harmless(&message, &output.stderr);
     }
-    // A row for a file that fails says why.
+    // A row for a file that fails gives the reason.
     for format in ["csv", "jsonl"] {
         let output = run(&folder, &["reconstruct", &missing, &other, &case, "--format", format]);
         assert_eq!(output.status.code(), Some(1));

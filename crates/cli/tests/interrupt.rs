@@ -7,11 +7,11 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-/// The run ends with the results of what was done, and says so.
+/// The run ends with the results so far, and says so.
 #[test]
 fn ctrl_c_prints_the_results_so_far() {
     let fixture = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/sae-980025-uncertain.toml");
-    // Many times more than the pause below is long enough for.
+    // Many times more than can be computed in the pause below.
     let child = Command::new(env!("CARGO_BIN_EXE_deltav"))
         .args(["uncertainty", fixture, "--samples", "10000000", "--threads", "1"])
         .stdout(Stdio::piped())
@@ -31,8 +31,8 @@ fn ctrl_c_prints_the_results_so_far() {
     assert!(text.contains("Speed of vehicle 1"), "{text}");
 }
 
-/// What comes of a table of `rows` rows with `samples` each, whose run gets a signal after some milliseconds:
-/// the status, the message and the output, which was there before.
+/// The result for a table of `rows` rows with `samples` each, whose run gets a signal after some
+/// milliseconds: the status, the message and the output file, which existed before.
 fn table(
     name: &str,
     signal: &str,

@@ -32,7 +32,7 @@ fn deltav(arguments: &[&str], input: &[u8]) -> Output {
     child.wait_with_output().unwrap()
 }
 
-/// What the program prints, where nothing is wrong.
+/// The output of the program, which must report no error.
 #[track_caller]
 fn printed(arguments: &[&str], input: &str) -> Vec<u8> {
     let output = deltav(arguments, input.as_bytes());
@@ -45,12 +45,12 @@ fn printed(arguments: &[&str], input: &str) -> Vec<u8> {
 fn json(command: &str, case: &str) -> Value {
     let mut document: Value =
         serde_json::from_slice(&printed(&[command, "-", "--format", "json"], case)).unwrap();
-    // Its hash is that of the text, and what is compared is the collision.
+    // The hash is that of the text, but the collisions are compared.
     document.as_object_mut().unwrap().remove("case").unwrap();
     document
 }
 
-/// What the program says to standard error, where it ends with status 2 and prints nothing.
+/// The text on standard error of the program, which must end with status 2 and print nothing.
 #[track_caller]
 fn refused(arguments: &[&str], input: &[u8]) -> String {
     let output = deltav(arguments, input);
@@ -70,7 +70,7 @@ fn with(text: &str, old: &str, new: &str) -> String {
     text.replace(old, new)
 }
 
-/// What a key holds.
+/// The kind of value of a key.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     Text,
@@ -257,7 +257,7 @@ fn the_example_has_the_known_values() {
         assert_printed(&document, pointer, printed, unit);
     }
 
-    // What is printed nowhere follows from what is.
+    // Values that are not printed follow from printed ones.
     let at = |pointer: &str| number(&document, pointer);
     for (pointer, expected) in [
         // The impulse comes from −P₂ = P₁: clockwise from the heading of 67° to where it comes from.
@@ -372,8 +372,7 @@ fn the_sweep_has_nothing_of_what_is_fixed() {
     assert!(rows.len() == 1 && !rows[0].contains(" 0.00"), "{sweep}");
 }
 
-/// What the file gives of arm and angle is said to be held or turned, and the nominal row is the answer of
-/// `crush`.
+/// Arm and angle from the file are said to be kept or turned, and the nominal row is the answer of `crush`.
 #[test]
 fn the_sweep_says_what_the_file_gives() {
     for key in ["pdof_sweep_held", "pdof_sweep_turned"] {
@@ -400,7 +399,7 @@ fn the_sweep_says_what_the_file_gives() {
     );
 }
 
-/// CRASH3's friction limits are told by vehicle, in text and in JSON.
+/// CRASH3's friction limits are given for each vehicle, in text and in JSON.
 #[test]
 fn friction_limits_are_told_by_vehicle() {
     let case = PAPER
@@ -450,8 +449,8 @@ fn a_report_on_very_many_zones_goes_without_an_estimate_and_says_so() {
     assert!(!page.contains("with the errors of the method) "), "{page}");
 }
 
-/// A case with ranges has their uncertainty and the sensitivity in the report to hand over, word for word as
-/// the commands print them.
+/// The report of a case with ranges has their uncertainty and the sensitivity, word for word as the commands
+/// print them.
 #[test]
 fn ranges_are_in_the_report_to_hand_over() {
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
@@ -471,7 +470,8 @@ fn ranges_are_in_the_report_to_hand_over() {
     assert!(html.contains("<h2>Uncertainty</h2>") && html.contains("<h2>Sensitivity</h2>"));
     let certain = text(printed(&["reconstruct", PAPER_FILE, "--format", "markdown"], ""));
     assert!(!certain.contains("## Uncertainty"));
-    // It leads with the 95 % interval with the errors of the method; that of the table stands beside it.
+    // It leads with the 95 % interval that includes the errors of the method; that of the table is next to
+    // it.
     let row = page.lines().skip_while(|line| *line != "**Intervals**");
     let row = row.into_iter().find(|line| line.starts_with("| Speed of vehicle 1, mph")).unwrap();
     let cells: Vec<&str> = row.split('|').map(|cell| cell.split_whitespace().next().unwrap_or("")).collect();
@@ -504,7 +504,7 @@ fn every_way_in_and_out_has_the_same_bytes() {
         assert_eq!(from_file, printed(&["reconstruct", PAPER_FILE, "--format", format], ""));
         let from_input =
             String::from_utf8(printed(&["reconstruct", "-", "--format", format], PAPER)).unwrap();
-        // The name of the file, which only a file has.
+        // The name of the file, which standard input does not have.
         let named = from_input.replace("\"file\": \"standard input\"", "\"file\": \"sae-980025.toml\"");
         assert_eq!(from_file, named.into_bytes());
 
@@ -586,7 +586,7 @@ fn a_comparison_has_the_answer_of_each_law() {
     assert_eq!(rows[0]["law"], "Brach, common tangential velocity");
     assert_eq!(rows[0]["found"], own["found"]["value"]);
     assert_eq!(rows.len(), 12);
-    // A row is what a case of its own says.
+    // A row is the answer to a case of its own.
     let woolley = law("woolley");
     assert_row(row("Woolley"), &woolley);
     let change = number(&woolley, "/found/value") - number(&own, "/found/value");
@@ -633,7 +633,7 @@ fn a_comparison_begins_with_the_case_s_own_law_and_has_it_once() {
     }
 }
 
-/// A fixed object has no front from which a force could be counted: no direction of force, as in
+/// A fixed object has no front from which the direction of a force could be counted, so it has none, as in
 /// `reconstruct`, however the scene is turned.
 #[test]
 fn a_fixed_object_has_no_direction_of_force() {
@@ -936,7 +936,7 @@ fn the_validation_has_its_keys() {
         "pim_total",
     ];
     assert_eq!(rows, expected);
-    // The true speed is the test speed of the case, and what is found is what `reconstruct` finds.
+    // The true speed is the test speed of the case, and the speed found is that of `reconstruct`.
     let case = include_str!("../../../fixtures/ricsac/08.toml");
     let alone = json("reconstruct", case);
     let within = list("reconstruction").into_iter().find(|row| row["test"] == 8).unwrap();
@@ -1051,7 +1051,7 @@ fn uncertainty_has_its_keys_and_its_samples_are_those_of_the_statistics() {
     assert_eq!(result["outputs"]["vehicle2.pdof"]["central"], reconstructed["vehicle2"]["pdof"]);
     assert_eq!(result["outputs"]["impact.energy_loss"]["central"], reconstructed["impact"]["energy_loss"]);
 
-    // Statistics of the samples as written, by another way: sorting, and NumPy's quantiles.
+    // Statistics of the samples as written, by another method: sorting, and NumPy's quantiles.
     let text = fs::read_to_string(&samples).unwrap();
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().unwrap();
@@ -1129,7 +1129,7 @@ fn samples_without_an_answer_say_why() {
     assert!((failed as f64 - 158.7).abs() < 46.2, "{failed}");
     let energy = &result["outputs"]["impact.energy_loss"];
     assert_eq!(energy["first_order_differs"], true);
-    // The force comes along the normal, whatever its size: what moves the PDOF is rounding.
+    // The force comes along the normal, whatever its size: only rounding moves the PDOF.
     assert_eq!(result["outputs"]["vehicle1.pdof"]["first_order_differs"], false);
     // A normal distribution of 0.1 ± 0.1 has Φ(1) = 0.841 345 above zero.
     let restitution = &result["inputs"].as_array().unwrap()[2];
@@ -1183,7 +1183,7 @@ fn uncertainty_draws_every_result() {
     }
 }
 
-/// Whatever is made of a case, its reader is told.
+/// Every output from a case has its warnings.
 #[test]
 fn every_command_says_the_warnings_of_the_case() {
     let text = include_str!("../../../fixtures/wide-ranges.toml");

@@ -1,4 +1,4 @@
-//! `--live`: the report with the program in it.
+//! `--live`: the report that contains the program.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 

@@ -1,4 +1,4 @@
-//! The tests of the program, in one binary; what needs a process of its own stands beside it.
+//! The tests of the program, in one binary; tests that need a process of their own are separate.
 
 mod avoid;
 mod batch;

@@ -129,9 +129,9 @@ fn links_to_the_case_are_the_case() {
     // The case by its link, and through a folder that is one.
     refused(&folder, "check symbolic.svg -o A.toml", None);
     refused(&folder, "check case.txt -o here/case.txt", None);
-    // What links to a case, by a command that reads none.
+    // A link to a case, as the output of a command that reads no case.
     refused(&folder, "schema -o symbolic.svg", None);
-    // A plot of the name of a link.
+    // A plot with the name of a link.
     fs::hard_link(folder.join("case.txt"), folder.join("tornado-vehicle1.speed.svg")).unwrap();
     let message = refused(&folder, "uncertainty case.txt --samples 100 --plots .", None);
     assert!(message.contains("--plots . would write over ./tornado-vehicle1.speed.svg"), "{message}");
@@ -155,7 +155,7 @@ fn no_command_writes_over_another_case() {
         let message = refused(&folder, arguments, None);
         assert!(message.contains("A.toml would write over a .toml file that exists"), "{message}");
     }
-    // What is not there cannot be lost, and a report may be written anew.
+    // A file that does not exist cannot be lost, and a report may be written again.
     for _ in 0..2 {
         assert_eq!(run(&folder, "check case.txt -o report.txt", None), (Some(0), String::new()));
         assert_eq!(run(&folder, "schema -o case.schema.json", None), (Some(0), String::new()));
@@ -180,7 +180,7 @@ fn two_outputs_are_two_files() {
     assert!(message.contains("-o and --plots . may both write to tornado-vehicle1.speed.svg"), "{message}");
     let all = format!("{command} -o a.txt --samples-out a.csv --plots .");
     assert_eq!(run(&folder, &all, None), (Some(0), String::new()));
-    // Where nothing is kept, nothing is lost.
+    // An output that keeps nothing loses nothing.
     if cfg!(unix) {
         let none = format!("{command} -o /dev/null --samples-out /dev/null");
         assert_eq!(run(&folder, &none, None), (Some(0), String::new()));

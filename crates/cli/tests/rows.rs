@@ -24,7 +24,7 @@ fn out(arguments: &str) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The records under their columns, read by another reader of CSV than our tests of commas.
+/// The records under their columns, read by another CSV reader than in the tests with commas.
 fn table(text: &str, separator: u8) -> Vec<Vec<(String, String)>> {
     let mut reader = csv::ReaderBuilder::new().delimiter(separator).from_reader(text.as_bytes());
     let columns: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -94,7 +94,7 @@ fn rows_of_uncertainty_are_the_same_for_any_number_of_threads() {
     assert_eq!(run("1"), run("5"));
 }
 
-/// Rows say the same as the document on one case.
+/// Rows have the same values as the document on one case.
 #[test]
 fn a_line_of_jsonl_is_the_document_with_its_file() {
     for command in
@@ -110,8 +110,8 @@ fn a_line_of_jsonl_is_the_document_with_its_file() {
     }
 }
 
-/// What each kind of evidence says is in every row of its case, as the document has it; a case that does not
-/// have both has nothing there.
+/// The results by each kind of evidence are in every row of their case, as in the document; they are empty
+/// for a case without both kinds.
 #[test]
 fn rows_of_a_comparison_have_the_answers_by_evidence() {
     const REST: &str = "fixtures/rear-end-rest.toml";
@@ -163,7 +163,7 @@ fn a_row_of_a_comparison_is_a_law() {
     assert_eq!(cell(&rows[laws.len() + 1], "file"), "fixtures/rear-end.toml");
 }
 
-/// Each output says which program made it of which bytes.
+/// Each output names the program and the hash of the file from which it was made.
 #[test]
 fn version_and_hash_are_in_json_and_csv() {
     // sha256sum fixtures/rear-end.toml

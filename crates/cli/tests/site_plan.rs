@@ -33,7 +33,7 @@ fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     (output.status.code(), out, errors)
 }
 
-/// The picture itself is in the page, once, and lies where `deltav draw` puts it by its options.
+/// The picture itself is in the page, once, at the place where `deltav draw` puts it by its options.
 #[test]
 fn reports_and_drawings_show_the_plan_of_the_case() {
     let folder = folder("shown", true);
@@ -74,7 +74,7 @@ fn a_drawing_is_not_written_over_its_plan() {
     }
 }
 
-/// Where the picture is not needed, it need not be there; where it is, the error has its place in the file.
+/// A picture that is not needed need not exist; if it is needed, the error has its place in the file.
 #[test]
 fn a_plan_that_cannot_be_drawn_is_told_with_its_place() {
     let folder = folder("missing", false);

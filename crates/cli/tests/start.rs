@@ -21,7 +21,8 @@ const TEMPLATES: [&str; 10] = [
     "one-vehicle",
 ];
 
-/// Those of which neither speed is known, and the speeds for which their places of rest were computed,
+/// The templates in which neither speed is known, and the speeds for which their rest positions were
+/// computed,
 /// in km/h and in mph.
 const NEITHER_KNOWN: [(&str, [[f64; 2]; 2]); 2] =
     [("rear-end-rest", [[54.0, 0.0], [34.0, 0.0]]), ("intersection", [[50.0, 40.0], [32.0, 25.0]])];
@@ -31,7 +32,7 @@ fn deltav(arguments: &[&str]) -> Output {
     command.args(arguments).env("DELTAV_PROGRESS", "off").output().unwrap()
 }
 
-/// What the program prints, where nothing is wrong.
+/// The output of the program, which must report no error.
 #[track_caller]
 fn printed(arguments: &[&str]) -> String {
     let output = deltav(arguments);
@@ -40,7 +41,7 @@ fn printed(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// A place where nothing is yet.
+/// A path at which there is no file yet.
 fn temporary(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&path);
@@ -49,7 +50,7 @@ fn temporary(name: &str) -> PathBuf {
 }
 
 /// Each template states its speed or its EES, which comes from a solution of the raw impulse equations and a
-/// numerical integral of the crush energy, made without this program. Those of which neither speed is known
+/// numerical integral of the crush energy, made without this program. Those in which neither speed is known
 /// are tested below.
 #[test]
 fn every_template_runs_as_it_is_and_finds_what_it_states() {
@@ -75,7 +76,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 serde_json::from_str(&printed(&arguments)).unwrap()
             };
             let neither = NEITHER_KNOWN.iter().find(|(name, _)| *name == template);
-            // What weighs all evidence takes its time, and weighs the same numbers in either system.
+            // Weighing all evidence takes long, and uses the same numbers in either system.
             let is_exact = neither.is_some() && units == "us";
             let result = json(command, if is_exact { &["--exact"] } else { &[] });
             if let Some((_, true_speeds)) = neither {
@@ -85,7 +86,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 for (i, (stated, true_speed)) in [speed, second].into_iter().zip(true_speeds).enumerate() {
                     let found = result["found"][i]["value"].as_f64().unwrap() / size;
                     assert!((found - stated).abs() <= 0.05, "{template}: {found} {named}, not {stated}");
-                    // Rounding the places of rest costs less than 1 km/h.
+                    // Rounding the rest positions changes the speeds by less than 1 km/h.
                     assert!((found - true_speed).abs() * size <= 1.0 / 3.6, "{template}: {found} {named}");
                 }
             } else {
@@ -93,7 +94,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 // One decimal is stated.
                 assert!((found - speed).abs() <= 0.05, "{template}: {found} {named}, not {speed}");
             }
-            // A category of stiffness is what somebody without a test of the car has.
+            // A category of stiffness is the usual source without a test of the car.
             let warnings = result["warnings"].as_array().unwrap();
             let mut others = warnings.iter().filter(|warning| warning["code"] != "category-energy");
             assert_eq!(others.next(), None, "{template} in {units}");
@@ -101,7 +102,8 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             if !alone && neither.is_none() {
                 assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
             }
-            // With more evidence than an exact solution uses, all of it leads, and holds what is stated.
+            // With more evidence than an exact solution uses, the estimate leads, and its interval contains
+            // the stated value.
             let weighed = result["headline"]["by"] == "estimate";
             assert!(
                 weighed || is_exact || result["headline"].is_null() || result["headline"]["by"] == "exact",
@@ -115,8 +117,8 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                     assert!(low <= true_speed && true_speed <= high, "{template}: {interval}");
                 }
             }
-            // A report to hand over samples the way back from rest, too slowly for this test. It is the same in
-            // either system.
+            // A full report samples the search back from rest, too slowly for this test. It is the same in both
+            // systems.
             for written in ["text", "html", "markdown"] {
                 if neither.is_some() || (units == "us" && written != "markdown") {
                     continue;
@@ -135,7 +137,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             let runs =
                 &judged["commands"].as_array().unwrap().iter().find(|ability| ability["command"] == command);
             assert_eq!(runs.unwrap()["runs"], true, "{template} in {units}");
-            // Whoever measures in inches does not read of centimetres, and the other way round.
+            // A template in inches does not mention centimetres, and the other way round.
             let own: &[&str] = if units == "us" {
                 &["lb", "in", "ft", "mph", "deg"]
             } else {
@@ -144,7 +146,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             for input in judged["inputs"].as_array().unwrap() {
                 if let Some(unit) = input["unit"].as_str() {
                     assert!(own.contains(&unit), "{template} in {units}: {input}");
-                    // Round in it: no conversion shows.
+                    // Round numbers in the unit: they do not look converted.
                     let number = input["number"].as_f64().unwrap() * if units == "us" { 2.0 } else { 100.0 };
                     assert!((number - number.round()).abs() < 1e-9, "{template} in {units}: {input}");
                 }
@@ -205,7 +207,7 @@ fn what_a_case_lacks_is_told_with_the_way_on() {
     assert!(printed(&["explain", "two", "unknown", "speeds"]).starts_with("two unknown speeds\n"));
 }
 
-/// A line of a template sets something, or says something.
+/// A line of a template sets a value, or explains one.
 #[test]
 fn every_template_explains_its_tables() {
     for (template, units) in TEMPLATES.into_iter().flat_map(|template| [(template, "si"), (template, "us")]) {
@@ -294,7 +296,7 @@ fn completions_know_every_command() {
 fn bash_reads_its_completions() {
     let path = temporary("deltav.bash");
     fs::write(&path, printed(&["completions", "bash"])).unwrap();
-    // Where there is no bash, nobody needs them.
+    // Without bash, nobody needs them.
     if let Ok(output) = Command::new("bash").arg("-n").arg(&path).output() {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }
@@ -312,14 +314,14 @@ fn every_command_has_a_manual_page() {
         assert!(page_of_command.contains(&format!(".TH deltav-{command} 1")), "{command}");
         assert!(page_of_deltav.contains(&format!(r"deltav\-{command}(1)")), "{command}");
     }
-    // What may be given several times, and what may not.
+    // An argument that may be given several times, and one that may not.
     for (command, argument) in
         [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("uncertainty", "CASE…"), ("check", "CASE")]
     {
         let page = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page.contains(&format!("\\fI{argument}\\fR")), "{command}: {page}");
     }
-    // A folder is made where there is none, but not in a file.
+    // A folder is made if there is none, but not within a file.
     let new = folder.join("made/for/them");
     assert_eq!(printed(&["man", "--output-dir", new.to_str().unwrap()]), "");
     assert_eq!(fs::read_to_string(new.join("deltav.1")).unwrap(), page_of_deltav);
@@ -361,8 +363,8 @@ fn the_templates_with_mph_are_those_in_si_units_but_for_speeds() {
     }
 }
 
-/// What the template of a recorder states is what `recorder` prints, and every command reads it. In mph, the
-/// lists of km/h are lists of mph.
+/// The values stated in the template of a recorder are those that `recorder` prints, and every command reads
+/// it. In mph, the lists of km/h are lists of mph.
 #[test]
 fn the_template_of_a_recorder_finds_what_it_states() {
     for (units, unit) in [("si", "km/h"), ("us", "mph"), ("uk", "mph")] {
@@ -384,7 +386,7 @@ fn the_template_of_a_recorder_finds_what_it_states() {
         assert!(found.contains("Pulse") && found.contains("complete"), "{found}");
         let check = printed(&["check", name]);
         assert!(check.contains("vehicle1.recorder.pre_crash") && check.contains("No warnings"), "{check}");
-        // 1 mph = 1.609344 km/h: 12 14 16 18 20 km/h, and no list of which one number was turned.
+        // 1 mph = 1.609344 km/h: 12 14 16 18 20 km/h, and no list in which only one number was converted.
         assert_eq!(text.contains("\"7 9 10 11 12 mph\""), units != "si", "{units}");
     }
 }

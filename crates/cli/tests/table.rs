@@ -1,4 +1,4 @@
-//! Tables: CSV and Parquet say the same, in any number of threads, and in parts.
+//! Tables: CSV and Parquet have the same results, with any number of threads, and in parts.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -39,7 +39,7 @@ fn read_parquet(path: &Path) -> (HashMap<String, String>, Vec<RecordBatch>) {
 }
 
 fn speed(row: usize) -> f64 {
-    // Every hundredth goes the other way, too fast for an answer.
+    // Every hundredth goes in the other direction, too fast for an answer.
     if row % 100 == 7 { -1e5 } else { 0.25 * (row % 40) as f64 }
 }
 
@@ -117,7 +117,7 @@ fn parquet_and_csv_say_the_same() {
     }
     assert_eq!(metadata.get("deltav.job").map(String::as_str), Some("reconstruct"));
 
-    // What came out goes in again: its columns are no keys.
+    // The output is read again as input: its columns are not keys.
     let again = deltav(&["table", out.to_str().unwrap(), "--template", TEMPLATE]);
     assert_eq!(again.status.code(), Some(2));
     let error = String::from_utf8(again.stderr).unwrap();
@@ -185,8 +185,8 @@ fn other_separators_are_found() {
     }
 }
 
-/// A row with fields too many or too few, or in another encoding, has an error of its own, and is told with
-/// its place before the rows are computed.
+/// A row with too many or too few fields, or in another encoding, has an error of its own, and is reported
+/// with its place before the rows are computed.
 #[test]
 fn a_wrong_row_costs_that_row_alone() {
     let (status, out, messages) =
@@ -207,7 +207,7 @@ fn a_wrong_row_costs_that_row_alone() {
     assert!(errors[0].is_empty() && errors[4].is_empty());
     let speeds = column(&out, "vehicle1_speed");
     assert!(speeds[0] == speeds[4] && !speeds[0].is_empty());
-    // What would be a formula in a spreadsheet is a text there.
+    // A text that would be a formula in a spreadsheet stays a text.
     assert_eq!(column(&out, "note")[4], "'=1+1");
 }
 
@@ -226,7 +226,7 @@ fn what_is_no_table_is_said() {
     }
 }
 
-/// Numbers whose unit nobody gave are SI, which is said.
+/// Numbers without a unit are in SI units, which is stated.
 #[test]
 fn units_that_are_assumed_are_said() {
     let (status, _, messages) = of_csv("si.csv", b"id,vehicle2.speed\n1,10\n");
@@ -268,7 +268,7 @@ fn damaged_parquet_is_refused() {
     write_parquet(&whole, &flat().slice(0, 40));
     let bytes = fs::read(&whole).unwrap();
     let mut refused = 0;
-    // The schema of Arrow lies near the end, and holds most of what a reader relies on.
+    // The schema of Arrow is near the end, and contains most of the data that a reader relies on.
     for place in (bytes.len() / 2..bytes.len() - 8).step_by(bytes.len() / 120) {
         let mut bytes = bytes.clone();
         bytes[place] ^= 0x5a;

@@ -1,4 +1,4 @@
-//! Messages that lead on: units, words of the trade, and the command that can do it.
+//! Messages that help further: units, technical terms, and the command that can answer.
 
 #![allow(
     clippy::disallowed_methods,
@@ -13,7 +13,7 @@ use std::process::Command;
 const CASE: &str = include_str!("../../../fixtures/estimate.toml");
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
-/// What a command prints of a case to both streams, and its exit status.
+/// The text of a command on a case, from both streams, and its exit status.
 fn said(name: &str, text: &str, arguments: &[&str]) -> (String, i32) {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("words-{name}.toml"));
     fs::write(&path, text).unwrap();
@@ -61,7 +61,7 @@ fn other_names_are_understood() {
     }
 }
 
-/// Whatever needs a speed that is not known names the command that does without.
+/// Every command that needs an unknown speed names the command that does without it.
 #[test]
 fn where_no_speed_is_known_the_estimate_is_named() {
     for command in ["reconstruct", "impact", "compare", "uncertainty"] {
@@ -69,7 +69,7 @@ fn where_no_speed_is_known_the_estimate_is_named() {
         let expected = "if neither speed is known, `deltav estimate` finds both from all evidence";
         assert!(status == 2 && message.contains(expected), "{command}: {message}");
     }
-    // One car stood and one rest is known: an equation short for momentum, not for all the evidence.
+    // One car stood and one rest is known: one equation too few for momentum, but not for all the evidence.
     let one_rest = "[surface]\nfriction = 0.7\n[vehicle1]\nweight = \"3775 lb\"\nclass = 4\nheading = \"0 deg\"\n\
                     contact = { x = \"7 ft\", y = \"0 ft\" }\n[vehicle2]\nweight = \"2679 lb\"\nclass = 2\nheading = \"110 deg\"\n\
                     speed = \"5 mph\"\ncontact = { x = \"0 ft\", y = \"-2.5 ft\" }\n[vehicle2.after]\ndrag = 0.3\n\

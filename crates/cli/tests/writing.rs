@@ -17,7 +17,7 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
-/// By a shell, where `deltav` is the program.
+/// Runs a script in a shell, in which `deltav` is the program.
 fn shell(folder: &Path, script: &str) -> Output {
     Command::new("sh")
         .current_dir(folder)

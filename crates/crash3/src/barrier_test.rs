@@ -62,7 +62,7 @@ impl<T: Real> BarrierTest<T> {
     }
 
     /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The
-    /// profile's energy then exceeds that of the test unless the crush is uniform, by some per cent for the
+    /// profile's energy then exceeds that of the test unless the crush is uniform, by a few per cent for the
     /// usual profiles. For comparison only.
     ///
     /// # Errors

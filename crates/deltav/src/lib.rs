@@ -43,11 +43,11 @@
 //!
 //! | module | what it is |
 //! |---|---|
-//! | [`pim_core`] | planar impact mechanics: bodies, contact, impact law, outcome; frames and signs are drawn there |
+//! | [`pim_core`] | planar impact mechanics: bodies, contact, impact law, outcome; its page has a figure of the frames and signs |
 //! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
 //! | [`trajectory`] | the motion of a vehicle from the impact to rest |
 //! | [`time_distance`] | reaction, braking and sight before a collision |
-//! | [`recorder`] | what an event data recorder says: its table, speed at impact and pulse |
+//! | [`recorder`] | event data recorders: table, speed at impact and pulse |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
 //! | [`estimate`] | draws from the posterior of prior and evidence, and shows whether they are reliable |

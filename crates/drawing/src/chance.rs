@@ -20,7 +20,7 @@ const MOST: [u8; 2] = [10, 5];
 /// A probability against a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChancePicture {
-    /// What is probable.
+    /// The event whose probability is shown.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,

@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-6;
 /// Numbers against time or distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvesPicture {
-    /// What the drawing and the ids in it are named after.
+    /// The name of the drawing and of the ids in it.
     pub name: &'static str,
     /// Title of the case.
     pub title: String,
@@ -96,7 +96,7 @@ impl CurvesPicture {
 }
 
 impl Curves {
-    /// The points of a switch as steps: each state lasts until the next sample says another.
+    /// The points of a switch as steps: each state lasts until a sample has another one.
     #[must_use]
     pub fn steps(samples: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(2 * samples.len());

@@ -16,11 +16,11 @@ pub struct Footprint {
     pub width: f64,
     /// (m) from the CG to the front.
     pub cg_to_front: f64,
-    /// What it looks like.
+    /// Its shape.
     pub shape: BodyShape,
 }
 
-/// What a body looks like from above.
+/// The shape of a body from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyShape {
     /// Rounded corners, and a windscreen.

@@ -1,5 +1,5 @@
-//! Distance against time before a collision: what a vehicle did and what it would have done, the way of the
-//! other party, and the place of the impact.
+//! Distance against time before a collision: the actual run of a vehicle and other possible ones, the path of
+//! the other party, and the place of the impact.
 
 use kurbo::{Point, Rect};
 
@@ -38,10 +38,10 @@ pub struct PathTimePicture {
     pub reach: [f64; 2],
     /// The runs of the vehicle, the actual one first.
     pub courses: Vec<PathTimeCourse>,
-    /// The way of the other party along its own path, if it is known, with its legend.
+    /// The distance of the other party along its own path, if it is known, with its legend.
     pub other: Option<(Vec<[f64; 2]>, String)>,
     /// (s) from when to when the other party is in the danger zone, which need not end within the plot, with
-    /// its legend; `None` where the other moves along the same line.
+    /// its legend; `None` if the other moves along the same line.
     pub zone: Option<([f64; 2], String)>,
     /// (s) the impact, with its label.
     pub impact: (f64, String),
@@ -79,7 +79,7 @@ impl PathTimePicture {
     pub fn draw(&self) -> Drawing {
         let runs = self.courses.iter().map(|course| (Sample::Line(course.pen()), course.legend.clone()));
         let mut entries: Vec<(Sample, String)> = runs.collect();
-        // Among the runs, on the same line, its way has a pen of its own.
+        // If it is on the same line, its motion is drawn among the runs, with a pen of its own.
         let other_pen = if self.zone.is_some() { OTHER_WAY } else { Pen { dashes: "12 3 2 3", ..OTHER_WAY } };
         if let Some((_, legend)) = &self.other {
             entries.push((Sample::Line(other_pen), legend.clone()));

@@ -58,7 +58,7 @@ pub(crate) const SKID: Pen = pen("#333333", 2.4, "3 2");
 pub(crate) const EDGE_OF_GROUND: Pen = pen(GREY, 1.2, "9 3 2 3");
 /// Numbers of vehicles 1 and 2.
 pub(crate) const OF_VEHICLE: [Pen; 2] = [pen(BLUE, 2.5, ""), pen(VERMILION, 2.0, "9 5")];
-/// Runs before a collision: what happened, and what would have, in the order of their tables.
+/// Runs before a collision: the actual one and other possible ones, in the order of their tables.
 pub(crate) const COURSES: [Pen; 6] = [
     pen(BLUE, 3.0, ""),
     pen(GREY, 1.8, "2 4"),
@@ -67,7 +67,7 @@ pub(crate) const COURSES: [Pen; 6] = [
     pen(GREEN, 2.2, "14 4"),
     pen(VERMILION, 2.6, "9 5"),
 ];
-/// The way of the other party, and the danger zone that it is in.
+/// The path of the other party, and the danger zone in which it is.
 pub(crate) const OTHER_WAY: Pen = pen(BLACK, 1.6, "1.5 3.5");
 pub(crate) const ZONE: &str = "#f2d9a8";
 /// The place of the impact.

@@ -1,5 +1,5 @@
-//! What obstacles hide before a collision, seen from above: the ways of both parties to the impact, and the
-//! line along which the driver first sees the other one.
+//! Obstacles to the view before a collision, seen from above: the paths of both parties to the impact, and
+//! the line along which the driver first sees the other one.
 
 use kurbo::{Point, Rect};
 
@@ -17,7 +17,7 @@ const ROOM: Rect = Rect::new(EDGE + 16.0, HEADER + 20.0, WIDTH - EDGE - 16.0, HE
 /// (px/m) the largest scale.
 const LARGEST: f64 = 60.0;
 
-/// Obstacles and the ways of both parties. Positions are those of a scene with y to the left of x.
+/// Obstacles and the paths of both parties. Positions are those of a scene with y to the left of x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SightPicture {
     /// Title of the case.
@@ -30,7 +30,7 @@ pub struct SightPicture {
     pub obstacles: Vec<(Vec<[f64; 2]>, String)>,
     /// (m) the places of both at equal times, the last one at the impact, each with the time as text.
     pub ways: [Vec<([f64; 2], String)>; 2],
-    /// The legends of both ways.
+    /// The legends of both paths.
     pub legend: [String; 2],
     /// (m) the ends of the line along which the view becomes free, with its legend.
     pub line: Option<([[f64; 2]; 2], String)>,

@@ -1,4 +1,4 @@
-//! The motion from approach to rest: what is drawn is what was given, wherever the vehicles go.
+//! The motion from approach to rest: the picture shows the given data, wherever the vehicles go.
 
 use drawing::{
     Axis, BodyShape, Curves, CurvesPicture, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint,
@@ -34,8 +34,8 @@ fn direction(degrees: f64) -> [f64; 2] {
 const CAR: Footprint = Footprint { length: 4.5, width: 1.8, cg_to_front: 2.1, shape: BodyShape::Car };
 const VAN: Footprint = Footprint { length: 6.0, width: 2.1, cg_to_front: 2.7, shape: BodyShape::Box };
 
-/// A spin-out that slows down evenly: at the share τ of its time it has gone 2 τ − τ² of its way, and has
-/// turned by the same share of its turn. Its way bends by `bend` (m) to the left in the middle.
+/// A spin-out that slows down evenly: at the share τ of its time it has covered 2 τ − τ² of its path, and has
+/// turned by the same share of its turn. Its path bends by `bend` (m) to the left in the middle.
 struct SpinOut {
     from: [f64; 2],
     to: [f64; 2],
@@ -68,7 +68,7 @@ impl SpinOut {
         (0..=self.points).map(|k| self.at(f64::from(k) / f64::from(self.points))).collect()
     }
 
-    /// Of a wheel at a place in the axes of the vehicle (m), while it goes through a part of its path.
+    /// The mark of a wheel at a place in the axes of the vehicle (m), on a part of the vehicle's path.
     fn mark(&self, [x, y]: [f64; 2], from: f64, to: f64) -> Vec<[f64; 2]> {
         (0..=60)
             .map(|k| self.at(from + (to - from) * f64::from(k) / 60.0))
@@ -221,7 +221,7 @@ pub(crate) fn curves() -> CurvesPicture {
     }
 }
 
-/// A picture on the page, as its numbers tell: where the impact is, and how many pixels a metre has.
+/// The scale of a picture, from its numbers: the place of the impact, and the number of pixels per metre.
 struct Scale {
     impact: [f64; 2],
     metre: f64,
@@ -624,7 +624,7 @@ fn a_pdf_holds_the_site_plan() {
     assert!(!has(&crossing().draw().pdf().unwrap(), b"/XObject"));
 }
 
-/// With another number of 16 or 32 bits somewhere.
+/// The bytes with another number of 16 or 32 bits at a place.
 fn patched(bytes: &[u8], at: usize, number: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     bytes[at..at + number.len()].copy_from_slice(number);
@@ -639,7 +639,7 @@ fn a_site_plan_that_cannot_be_drawn_says_why() {
     }
     let png = png();
     assert_eq!(refused(patched(&png, 16, &[0; 4])), SitePlanError::NoPixels { width: 0, height: 8 });
-    // The height of a frame stands three bytes behind the length of its segment.
+    // The height of a frame is three bytes after the length of its segment.
     let frame = COLOUR.windows(2).position(|marker| marker == [0xff, 0xc0]).unwrap();
     assert_eq!(
         refused(patched(COLOUR, frame + 5, &[0; 2])),
@@ -737,7 +737,7 @@ fn outlines_are_equally_far_apart() {
         assert!(near(Point::new(x, y), middle, 0.2), "{k}: {x} {y}, not {middle}");
     }
     assert!(!svg.contains("motion-passing-1-7"));
-    // 3 m have no room for one, and 6 m for one.
+    // 3 m have no room for any, and 6 m for one.
     for (length, count) in [(3.0, 0), (6.0, 1), (9.0, 2)] {
         let short = SpinOut { from: [0.0, 0.0], to: [length, 0.0], turn: 0.0, ..straight };
         let svg = picture([Some(short.vehicle("1", CAR)), None]).draw().svg();

@@ -25,14 +25,14 @@ fn a_pdf_is_the_same_at_every_run_and_has_no_date() {
         assert_eq!(pdf, again.write_as(PictureFormat::Pdf).unwrap(), "{}", drawing.name());
         assert!(pdf.starts_with(b"%PDF-1.7\n") && pdf.ends_with(b"%%EOF"), "{}", drawing.name());
         assert!(["CreationDate", "ModDate"].iter().all(|date| between(&pdf, date, "\n").is_none()));
-        // Where the table of objects says that it begins, it does.
+        // The table of objects begins at the given position.
         let start = between(&pdf, "startxref\n", "\n").unwrap();
         let start: usize = String::from_utf8(start.to_vec()).unwrap().parse().unwrap();
         assert!(pdf[start..].starts_with(b"xref\n"), "{}", drawing.name());
     }
 }
 
-/// Pages are 960 px or 10 in wide but for the scatter of two panels, and what saves the state restores it.
+/// Pages are 960 px or 10 in wide except the scatter of two panels, and every saved state is restored.
 #[test]
 fn a_pdf_has_a_page_of_the_size_of_the_svg() {
     for drawing in all() {
@@ -48,7 +48,7 @@ fn a_pdf_has_a_page_of_the_size_of_the_svg() {
         let count = |operator: &str| content.lines().filter(|line| *line == operator).count();
         assert_eq!(count("q"), count("Q"), "{}", drawing.name());
         assert!(count("f") > 5, "{}", drawing.name());
-        // Each hatched area is painted with a pattern, of which the page knows the name.
+        // Each hatched area is painted with a pattern whose name the page declares.
         let patterns = content.lines().filter(|line| line.ends_with(" scn")).count();
         assert_eq!(patterns > 0, svg.contains("fill=\"url("), "{}", drawing.name());
         for k in 0..patterns {

@@ -1,4 +1,4 @@
-//! Pictures of invented figures: what is drawn is what was given, and can be read.
+//! Pictures of invented figures: they show the given values, and can be read.
 
 use drawing::{
     Axis, BodyShape, ChancePicture, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture,
@@ -318,7 +318,7 @@ fn every_picture_can_be_read_and_has_its_title_and_description() {
             assert!(svg.contains(&format!(" id=\"{name}-{part}\">")), "{name}: {part}");
         }
         assert_eq!(svg, again.svg(), "{name}");
-        // No more than two decimals in what places something.
+        // No more than two decimals in coordinates.
         let numbers = svg.split([' ', '"', 'M', 'L', ',']).filter(|word| word.parse::<f64>().is_ok());
         let long =
             numbers.filter(|word| word.split_once('.').is_some_and(|(_, decimals)| decimals.len() > 2));
@@ -436,7 +436,7 @@ fn the_curves_of_a_density_reach_from_end_to_end() {
         }
     }
     assert!(drawing.description().ends_with("2.5 %: 66.6; median: 73.8; 97.5 %: 83.5."));
-    // Nothing is said of what is not known.
+    // Unknown values are not mentioned.
     let svg = DensityPicture { before: Vec::new(), ..density() }.draw().svg();
     assert!(!svg.contains("density-before") && !svg.contains(">before</text>"), "{svg}");
 }
@@ -477,7 +477,7 @@ fn a_rest_is_drawn_to_scale_where_it_was_found() {
     assert!(((x - x0) / scale - 20.0).abs() < 0.01 && ((y0 - y) / scale - 5.0).abs() < 0.01, "{x} {y}");
 }
 
-/// Each shape of each picture stands as far below as the pictures before it are high, under a name of its
+/// Each shape of each picture is shifted down by the height of the pictures before it, and has a name of its
 /// own.
 #[test]
 fn stacked_pictures_are_those_below_each_other() {
@@ -733,7 +733,7 @@ fn momentum(vectors: [[f64; 2]; 4]) -> MomentumPicture {
 }
 
 /// Sides begin where the one before them ends, in any direction; of vehicles on one line they lie below each
-/// other; and what does not close shows what is left over.
+/// other; and a polygon that does not close shows the remainder.
 #[test]
 fn momenta_stand_tip_to_tail() {
     let reader = Reader::new();
@@ -769,7 +769,7 @@ fn momenta_stand_tip_to_tail() {
             assert!(near(drawn, meant) || per * 20e3 * size > 1e3, "{k}: {drawn:?} {meant:?}");
         }
     }
-    // Along x: no two sides lie on each other, and ends of one corner stand above each other.
+    // Along x: no two sides lie on each other, and the ends at one corner are above each other.
     let line = momentum([[20e3, 0.0], [-5e3, 0.0], [6e3, 0.0], [9e3, 0.0]]);
     let svg = line.draw().svg();
     reader.readable("line", &svg);
@@ -781,7 +781,7 @@ fn momenta_stand_tip_to_tail() {
     }
     let [before2, total, after2] = [rows[1], rows[2], rows[4]];
     assert!((before2[1][0] - after2[1][0]).abs() < PIXEL && (before2[1][0] - total[1][0]).abs() < PIXEL);
-    // One that stood; and 2,000 kg·m/s that are left over.
+    // A vehicle that stood; and a remainder of 2,000 kg·m/s.
     let open = momentum([[20e3, 0.0], [0.0, 0.0], [12e3, 3e3], [8e3, -1e3]]);
     let svg = open.draw().svg();
     reader.readable("open", &svg);
@@ -790,7 +790,7 @@ fn momenta_stand_tip_to_tail() {
     assert!(
         near(gap[1], after2[1]) && near(gap[0], total[1]) && svg.contains(">what is left over after it<")
     );
-    // Where nothing moves, nothing is divided by zero.
+    // If nothing moves, there is no division by zero.
     let still = momentum([[0.0; 2]; 4]).draw().svg();
     reader.readable("still", &still);
     assert!(!still.contains("NaN") && !still.contains("inf"));

@@ -1,5 +1,5 @@
-//! A picture as resvg reads it, which is not the program that laid it out. The tests of `report` read
-//! pictures with it, too.
+//! A picture as read by resvg, independently of the program that laid it out. The tests of `report` use this
+//! reader, too.
 
 use std::sync::Arc;
 
@@ -20,7 +20,8 @@ impl Reader {
         Tree::from_str(svg, &self.0).unwrap()
     }
 
-    /// Everything is on the page, no text is on another, and none was cut. Gives the texts with their places.
+    /// Checks that everything is on the page, and that no text is on another or was cut; returns the texts
+    /// with their places.
     pub(crate) fn readable(&self, name: &str, svg: &str) -> Vec<(String, Rect)> {
         let tree = self.tree(svg);
         let (mut texts, mut others) = (Vec::new(), Vec::new());
@@ -68,7 +69,7 @@ pub(crate) fn number(svg: &str, id: &str, name: &str) -> f64 {
     attribute(svg, id, name).unwrap_or_else(|| panic!("no {name} of {id}")).parse().unwrap()
 }
 
-/// A straight scale of a chart, from pixels to what its axis says.
+/// A linear scale of a chart, from pixels to the values of its axis.
 #[derive(Debug)]
 pub(crate) struct Scale {
     first: (f64, f64),
@@ -88,7 +89,7 @@ impl Scale {
         first.1 + (pixel - first.0) * self.pixel() * (last.0 - first.0).signum()
     }
 
-    /// What one pixel stands for.
+    /// The value of one pixel.
     pub(crate) fn pixel(&self) -> f64 {
         let Self { first, last } = self;
         (last.1 - first.1) / (last.0 - first.0).abs()
@@ -121,7 +122,7 @@ pub(crate) fn scales(svg: &str, left: f64, right: f64) -> [Scale; 2] {
     [Scale::through(&across), Scale::through(&upward)]
 }
 
-/// What the shape with an id covers, without its edge.
+/// The area of the shape with an id, without its edge.
 pub(crate) fn area(tree: &Tree, id: &str) -> Rect {
     tree.node_by_id(id).unwrap_or_else(|| panic!("no {id}")).abs_bounding_box()
 }

@@ -25,8 +25,8 @@ pub struct Collision<N = Number> {
     pub crush_plane: N,
     /// e.
     pub restitution: RestitutionModel<N>,
-    /// (–) μ_max: greatest ratio of the impulses along the crush plane and across it. If a smaller ratio ends
-    /// the sliding, that one acts.
+    /// (–) μ_max: largest ratio of the impulse along the crush plane to that across it. If a smaller ratio
+    /// ends the sliding, the smaller one applies.
     pub friction: N,
     /// (–) λ, share of the tangential work that went into crush: E = W_n + λ W_t.
     pub tangential_share: N,
@@ -272,13 +272,13 @@ pub struct CrushNumbers<N = Number> {
     pub no_damage_speed: N,
 }
 
-/// Crush energy of a vehicle of unknown crush, from that of the other: E_j = r E_i.
+/// Crush energy of a vehicle with unknown crush, from that of the other: E_j = r E_i.
 ///
 /// It makes the crush of the other vehicle alone evidence: with its share s = 1/(1 + r) of both energies,
 /// ln E_i = ln(W_n + λ W_t) + ln s + b + error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OtherCrush<N = Number> {
-    /// The vehicle of unknown crush.
+    /// The vehicle with unknown crush.
     pub vehicle: VehicleId,
     /// (–) r, its crush energy relative to that of the other vehicle.
     pub ratio: N,
@@ -348,7 +348,7 @@ pub struct Severity {
     pub median: f64,
     /// (–) standard deviation of the logarithm.
     pub ln_sd: f64,
-    /// (m/s) s, of which greater multiples are rare: weight exp(−(v₁² + v₂²)/2s²).
+    /// (m/s) s, the scale beyond which speeds are rare: weight exp(−(v₁² + v₂²)/2s²).
     pub speed: f64,
     /// The risk of an injury, if the collision belongs to those in which somebody suffered it.
     pub injury: Option<InjuryRisk>,
@@ -365,8 +365,8 @@ pub struct InjuryRisk {
 
 impl InjuryRisk {
     /// A serious injury, MAIS 3 or more, by total ΔV in frontal collisions, −6.9774 and 0.1620 per mph: Wang,
-    /// MAIS(05/08) injury probability curves as functions of delta V, DOT HS 813 219 (2022), as a public
-    /// program has them.
+    /// MAIS(05/08) injury probability curves as functions of delta V, DOT HS 813 219 (2022), as in a public
+    /// program.
     pub const SERIOUS: Self = Self { intercept: -6.9774, slope: 0.1620 / 0.44704 };
 
     /// (–) the logarithm of the probability that somebody in either vehicle suffers it; ΔV in m/s.

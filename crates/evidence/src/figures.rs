@@ -11,7 +11,7 @@ use crate::density::LN_ROOT_TAU;
 pub const CRUSH_FIGURES: usize = 6;
 
 /// The fitted figures on which the crush energy of a vehicle depends, by their places in
-/// [`CrushFigures::covariance`]; `None` where nothing was fitted.
+/// [`CrushFigures::covariance`]; `None` for a figure that was not fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OfVehicle {
     /// The bias.
@@ -93,8 +93,8 @@ impl CrushFigures {
         Real::sqrt(variance.unwrap_or_default())
     }
 
-    /// (–) standard deviation of ln of the crush energy due to the figures, beside the misfit, for the
-    /// `share` of vehicle 2.
+    /// (–) standard deviation of ln of the crush energy due to the figures, in addition to the misfit, for
+    /// the `share` of vehicle 2.
     #[must_use]
     pub fn ln_sd(&self, share: f64, changes: &[CrushChange; 2]) -> f64 {
         let [variance, drift] = self.moments(share, changes);

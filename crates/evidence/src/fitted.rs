@@ -57,8 +57,8 @@ const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd
 /// errors are assumed: 10 % of the speed, 20 % of the energy, for the comparison with a catalogue, and as
 /// much again for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
-/// (–) the same for what a fixed object took, assumed: the method errs as with an EES, and the comparison
-/// with another object by 30 % of the energy.
+/// (–) the same for the energy that a fixed object absorbed, assumed: the method has the error of an EES, and
+/// the comparison with another object one of 30 % of the energy.
 const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.30 };
 
 /// The assumptions about a collision of passenger vehicles, and the errors of its model.
@@ -178,12 +178,12 @@ impl FigureErrors {
     }
 }
 
-/// What a crush energy was computed with.
+/// The numbers from which a crush energy was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behind {
-    /// Nothing that was fitted.
+    /// No fitted number.
     Nothing,
-    /// Numbers of the case, but the fitted bias or the fitted spread of the misfit.
+    /// Numbers of the case, with the fitted bias or the fitted spread of the misfit.
     Misfit {
         /// Whether the bias was fitted.
         bias: bool,
@@ -280,7 +280,7 @@ pub const FITTED: Fitted = Fitted {
     },
 };
 
-/// Whose spread of the misfit counts if these sides were hit: 0 fronts alone, 1 a rear, 2 a side.
+/// The index of the spread of the misfit if these sides were hit: 0 only fronts, 1 a rear, 2 a side.
 fn kind(hit: &[DamagedSide]) -> usize {
     hit.iter().max().map_or(0, |damage| *damage as usize)
 }
@@ -338,8 +338,8 @@ impl Fitted {
     }
 
     /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
-    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness, the
-    /// EES or what the object took, that is the vehicle's own error.
+    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness, the EES or
+    /// the energy of the object, that is the vehicle's own error.
     #[must_use]
     pub fn energy_error(&self, method: EnergyMethod, misfit: CrushMisfit, has_range: bool) -> EnergyError {
         let error = match method {

@@ -40,7 +40,7 @@ pub struct Impacted {
     pub speeds: [f64; 2],
     /// The impact.
     pub outcome: Outcome,
-    /// (J) the energy taken by the impulses that should appear as crush, W_n + λ W_t.
+    /// (J) the energy that the impulses took and that should appear as crush, W_n + λ W_t.
     pub taken: f64,
     /// (J) crush energies.
     pub crush_energies: [f64; 2],
@@ -164,7 +164,8 @@ impl<N> CrushNumbers<N> {
     pub fn change(&self, factors: [f64; 2]) -> CrushChange {
         let [slope, no_damage] = factors;
         let (constant, linear) = (self.constant * no_damage * no_damage, self.linear * slope * no_damage);
-        // ∂ ln E/∂ ln b₀ = (2 L G₀ β² + L A₀ C̄ κ β)/E; that by ln b₁ is the rest to 2, as E ~ (b₀ + b₁ C)²
+        // ∂ ln E/∂ ln b₀ = (2 L G₀ β² + L A₀ C̄ κ β)/E; that with respect to ln b₁ is 2 less this, as E ~ (b₀
+        // + b₁ C)²
         let energy = self.energy(factors);
         let of_no_damage = if energy > 0.0 { (2.0 * constant + linear) / energy } else { 0.0 };
         let of_slope = 2.0 - of_no_damage;

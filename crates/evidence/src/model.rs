@@ -499,10 +499,10 @@ const MOST_MASS_RATIO: f64 = 2.4;
 /// (–) minimum longitudinal component that a recorder stores, as a fraction of ΔV.
 const LEAST_SHARE: f64 = 0.05;
 
-/// (m/s) the value that a recorder without error stores for a ΔV with the size `whole` (m/s) and the
+/// (m/s) the value that a recorder without errors stores for a ΔV with the size `whole` (m/s) and the
 /// longitudinal component `along` (m/s).
 ///
-/// A recorder that stores only the longitudinal component also picks up some of the other.
+/// A recorder that stores only the longitudinal component also senses a part of the lateral one.
 #[inline(always)]
 #[must_use]
 pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
@@ -701,7 +701,8 @@ impl Error {
         density + self.potential
     }
 
-    /// That the recorder would have shown this at the end, or more: of a ΔV that slows, below it.
+    /// The likelihood that the recorder would have shown this ΔV at the end of the impact, or a larger one;
+    /// for a vehicle that is slowed, a more negative one.
     #[inline(always)]
     fn or_beyond(self, slows: bool) -> Self {
         let Some(freedom) = self.freedom else { return Self::NONE };

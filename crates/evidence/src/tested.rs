@@ -1,24 +1,24 @@
-//! On which real collisions the intervals of an estimate were tested.
+//! The real collisions on which the intervals of estimates were tested.
 
 use crate::fitted::{DamagedSide, EnergyMethod};
 use crate::model::Piece;
 
-/// A class of real collisions on which estimates were judged.
+/// A class of real collisions on which estimates were tested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestedClass {
-    /// A name to be found by.
+    /// Its key.
     pub code: &'static str,
-    /// Which collisions, with which evidence.
+    /// The collisions and the evidence.
     pub collisions: &'static str,
-    /// What was judged: a ΔV or a speed.
+    /// The quantity that was tested: a ΔV or a speed.
     pub quantity: &'static str,
-    /// How many of them.
+    /// Number of tested values.
     pub n: u32,
     /// (–) share of the true values inside their 95 % intervals.
     pub inside95: f64,
     /// (–) root mean square of ln(median/truth), where it is known.
     pub rms: Option<f64>,
-    /// The data, and how far they were blind.
+    /// The source of the data, and how blind the test was.
     pub source: &'static str,
 }
 
@@ -107,7 +107,7 @@ impl TestedClass {
     }
 
     /// The class to which an estimate belongs, of two vehicles whose speeds are both unknown and whose
-    /// severity is that of the field; `None` where no such collisions with such evidence were judged.
+    /// severity is that of the field; `None` if no such collisions with such evidence were tested.
     ///
     /// `hit` is where the vehicles were hit, `energies` how the crush energy of each was obtained, `pieces`
     /// all evidence.
@@ -212,7 +212,7 @@ mod tests {
         assert_eq!(of_object(CLASS, &with(Piece::RecordedDeltaV(One))), None);
         assert_eq!(of_object(given, &crush), None);
         assert_eq!(of_object(None, &crush[..1]), None);
-        // Without a PDOF nothing was judged.
+        // No estimate without a PDOF was tested.
         assert_eq!(code([Front, Side], [CLASS; 2], &crush[..2]), None);
         assert_eq!(code([Front, Side], [CLASS, None], &crush[..2]), None);
         assert_eq!(of_object(CLASS, &crush[..2]), None);

@@ -295,7 +295,7 @@ fn slide(after: &Motion, heading: f64) -> Way {
     }
 }
 
-/// The way of each vehicle. Their headings at the impact count as the mean ones, to which those at rest are
+/// The path of each vehicle. Their headings at the impact count as the mean ones, to which those at rest are
 /// relative.
 fn ways(impacted: &Impacted) -> [Way; 2] {
     let [one, two] = &impacted.outcome.after;

@@ -1,6 +1,6 @@
 //! How often the 95 % intervals of ΔV contain what recorders stored, for a file of pairs:
-//! `cargo run --release -p deltav-field --example coverage -- PAIRS.csv`. Behind it `own` or `other` leaves
-//! one crush alone: that of the vehicle that is judged, or that of the other.
+//! `cargo run --release -p deltav-field --example coverage -- PAIRS.csv`. A further argument, `own` or
+//! `other`, uses one crush alone: that of the vehicle that is judged, or that of the other.
 
 #![allow(clippy::print_stdout, reason = "an example prints")]
 

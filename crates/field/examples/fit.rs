@@ -1,7 +1,7 @@
 //! The misfits of the model, fitted on a file of pairs, with their standard errors:
 //! `cargo run --release -p deltav-field --example fit -- PAIRS.csv`.
-//! With `--folds 5` the figures fitted without each fifth stand beside them, and each crash is then judged
-//! with those that have not seen it: five minutes for 300 pairs on two cores.
+//! With `--folds 5` the figures fitted without each fifth are printed next to them, and each crash is then
+//! judged with those that were fitted without it: five minutes for 300 pairs on two cores.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "an example prints")]
 
@@ -84,7 +84,7 @@ fn fitted<C: Crash>(crashes: &[C], folds: Option<usize>) -> Result<(FigureFit, O
     Ok((fit, folds))
 }
 
-/// Judges each crash with the figures that have not seen it.
+/// Judges each crash with the figures that were fitted without it.
 fn held_out<C: Crash>(
     crashes: &[C],
     fit: &FigureFit,

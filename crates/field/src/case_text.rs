@@ -133,7 +133,7 @@ impl Pair {
             "tangential = \"critical\"".to_owned(),
             String::new(),
             "[estimate]".to_owned(),
-            // The case file cannot say that figures have errors, so that these are part of the misfit.
+            // The case file cannot give errors of figures, so these are part of the misfit.
             format!("crush_error = \"{:.1} %\"", 100.0 * whole_misfit(&layout, fitted)),
             format!("crush_bias = \"{:.1} %\"", 100.0 * exp(fitted.crush_misfit(&layout.damages).bias)),
             "stood = \"0 %\"".to_owned(),

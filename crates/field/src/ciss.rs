@@ -1,10 +1,10 @@
-//! From the tables that NHTSA publishes of a year of its Crash Investigation Sampling System (CISS) to
-//! crashes that can be judged. It reads no file: a [`CissFiles`] hands over names and contents.
+//! Selects the crashes that can be judged from the tables that NHTSA publishes for a year of its Crash
+//! Investigation Sampling System (CISS). It reads no file: a [`CissFiles`] supplies names and contents.
 //!
 //! ```
 //! use field::ciss::{CissError, CissFiles, pairs};
 //!
-//! /// Four tables that have headers alone.
+//! /// Four tables that only have headers.
 //! struct Empty;
 //!
 //! impl CissFiles for Empty {

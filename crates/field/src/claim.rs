@@ -10,8 +10,7 @@ use crate::judge::Figures;
 use crate::pair::{Pair, Truth};
 use crate::read::{Cells, MOST_SPEED, cells};
 
-/// The columns of a program, without `_1` and `_2`: its ΔV, and the ends of its 95 % interval where it has
-/// one.
+/// The columns of a program, without `_1` and `_2`: its ΔV, and the ends of its 95 % interval if it has one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClaimColumns {
     /// The column of ΔV.
@@ -39,7 +38,7 @@ impl FromStr for ClaimColumns {
     }
 }
 
-/// What a program claims of a vehicle.
+/// The claim of a program about a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProgramClaim {
     /// (m/s) ΔV.
@@ -48,18 +47,18 @@ pub struct ProgramClaim {
     pub interval: Option<[f64; 2]>,
 }
 
-/// A claim beside what the recorder stored.
+/// A claim, and the value that the recorder stored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JudgedClaim {
     /// Number of the crash.
     pub case: String,
     /// The vehicle.
     pub vehicle: VehicleId,
-    /// What met what.
+    /// The surfaces that met.
     pub kind: PairKind,
-    /// What its recorder stored.
+    /// The value that its recorder stored.
     pub truth: Truth,
-    /// What the program claims.
+    /// The claim of the program.
     pub claim: ProgramClaim,
 }
 
@@ -68,23 +67,23 @@ pub struct JudgedClaim {
 pub struct ClaimGroup {
     /// `all`, or the name of a kind.
     pub name: &'static str,
-    /// As for a value without intervals.
+    /// The same figures as for values without intervals.
     pub figures: Figures,
     /// (–) share of the recorders inside the 95 % intervals, with its standard error.
     pub coverage95: Option<[f64; 2]>,
-    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times what they miss by (Gneiting
-    /// & Raftery 2007, equation 43).
+    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times the distance by which they
+    /// miss (Gneiting & Raftery 2007, equation 43).
     pub interval_score: Option<f64>,
 }
 
 /// All claims of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claims {
-    /// Which columns.
+    /// The columns of the program.
     pub columns: ClaimColumns,
     /// Number of pairs of the file.
     pub pairs: usize,
-    /// Vehicles with a recorder of which the program claims nothing.
+    /// Number of vehicles with a recorder about which the program claims nothing.
     pub unclaimed: usize,
     /// Each claim that is judged.
     pub judged: Vec<JudgedClaim>,
@@ -93,12 +92,12 @@ pub struct Claims {
 }
 
 /// Judges the columns of another program (km/h) by the recorders of the same pairs as
-/// [`judge`](crate::judge): where a recorder stored both parts the claim is the size of ΔV, where it stored
-/// the longitudinal part alone it is the size of that part. `text` is the table of which `pairs` were read.
+/// [`judge`](crate::judge): if a recorder stored both parts, the claim is the size of ΔV; if it stored only
+/// the longitudinal part, it is the size of that part. `text` is the table from which `pairs` were read.
 ///
 /// # Errors
-/// If a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
-/// vehicle has both a claim and a recorder.
+/// If a column is missing, a cell is not a plausible number, an interval does not contain its own value, or
+/// no vehicle has both a claim and a recorder.
 pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Result<Claims, FieldError> {
     let mut judged = Vec::new();
     let mut unclaimed = 0;
@@ -125,7 +124,7 @@ pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Resul
 }
 
 impl Cells {
-    /// What a program claims of a vehicle; `None` where its cell is empty.
+    /// The claim of a program about a vehicle; `None` if its cell is empty.
     fn claim(&self, columns: &ClaimColumns, vehicle: VehicleId) -> Result<Option<ProgramClaim>, FieldError> {
         let vehicle = Some(if vehicle == VehicleId::One { 1 } else { 2 });
         let kmh = |column: &str| {

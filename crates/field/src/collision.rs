@@ -115,7 +115,7 @@ impl Layout {
                 [one, one + pdof[0] - pdof[1] + PI]
             }
         };
-        // Whose plane is the crush plane: that of a side ranks before a rear, that of a rear before a front.
+        // The vehicle whose plane is the crush plane: a side ranks before a rear, and a rear before a front.
         let damages = pair.vehicles.each_ref().map(|vehicle| DamagedSide::from(vehicle.plane));
         let [first, second] = damages;
         let [w1, w2] = [f64::from(u8::from(first >= second)), f64::from(u8::from(second >= first))];
@@ -190,7 +190,7 @@ impl Placed<'_> {
     }
 }
 
-/// What was observed of a vehicle: its PDOF if that is known, and its recorder if that is given.
+/// The observations of a vehicle: its PDOF if that is known, and its recorder if that is given.
 pub(crate) fn observed(
     vehicle: &PairVehicle,
     is_given: bool,

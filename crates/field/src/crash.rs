@@ -7,7 +7,7 @@ use uncertainty::InvalidDistribution;
 use crate::figure::Figure;
 use crate::pair::{PairVehicle, Plane, Truth};
 
-/// The vehicles whose crush an estimate knows.
+/// The vehicles whose crush an estimate uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnownCrush {
     /// That of both vehicles.
@@ -63,7 +63,7 @@ impl PairKind {
         }
     }
 
-    /// By the planes of the damage of two vehicles.
+    /// The kind by the planes of the damage of two vehicles.
     pub(crate) fn of([one, two]: [Plane; 2]) -> Self {
         match (one, two) {
             (Plane::Front, Plane::Front) => Self::FrontFront,
@@ -74,7 +74,7 @@ impl PairKind {
     }
 }
 
-/// A crash whose vehicles can be estimated from all evidence but their recorders, and judged by these.
+/// A crash whose vehicles can be estimated from all evidence except their recorders, and judged by these.
 pub trait Crash: Sync {
     /// The figures that are fitted to such crashes.
     const FIGURES: &'static [Figure];

@@ -140,8 +140,8 @@ mod tests {
         assert_eq!(crash("0,-8.1", "-7.8,-29", front, same), [true, false, true, false]);
         assert_eq!(crash("0,-8.1", "-7.8,-29", ("F", 330.0, ","), same), [false; 4]);
         assert_eq!(crash("-4.1,-7", "5.2,-29.5", front, same), [false; 4]);
-        // A record of one part has no direction, and a small one none to rely on; without numbers, no two
-        // vehicles are the same.
+        // A record of one part has no direction, and that of a small ΔV is unreliable; without numbers, no
+        // two vehicles are the same.
         assert_eq!(crash(slap, "-15,", front, same), [false; 4]);
         assert_eq!(crash("1.3,-7.8", hit, front, same), [false; 4]);
         assert_eq!(crash(slap, hit, front, ["", ""]), [false; 4]);

@@ -41,7 +41,7 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
-    /// Columns that are no list of one or three names.
+    /// Columns that are not a list of one or three names.
     #[error(
         "\"{text}\" names no columns: write COLUMN, or COLUMN,LOW,HIGH for a program with 95 % intervals"
     )]
@@ -49,7 +49,7 @@ pub enum FieldError {
         /// What was given.
         text: String,
     },
-    /// A program that claims nothing where a recorder is.
+    /// A program that makes no claim about any vehicle with a recorder.
     #[error("no vehicle of the file has both a usable recorder and a ΔV in {column}")]
     NoClaims {
         /// The column of its ΔV.
@@ -73,7 +73,7 @@ pub enum FieldError {
     /// No vehicle struck a fixed object with its front.
     #[error("no line of the file has a front (CDCPLANE F) that struck an object")]
     NoObjects,
-    /// A question about two vehicles to a table of vehicles that struck objects.
+    /// A question about two vehicles, for a table of vehicles that struck objects.
     #[error(
         "{option} needs a table of pairs of vehicles: this one has vehicles that struck an object (OBJCONT)"
     )]

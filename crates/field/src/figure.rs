@@ -1,4 +1,4 @@
-//! The figures that can be fitted, and what is guessed of them before.
+//! The figures that can be fitted, and the guesses of them before the fit.
 
 use evidence::Fitted;
 use real::elementary::{exp, ln};

@@ -58,7 +58,7 @@ pub struct FigureFit {
     pub figures: &'static [Figure],
     /// Standard error of each, in its unit, clustered by crash.
     pub errors: Vec<f64>,
-    /// The same if each crash were as the model says: by the second derivatives alone.
+    /// The same if each crash followed the model: by the second derivatives alone.
     pub errors_of_model: Vec<f64>,
     /// (–) Σ ln p(recorders | all else).
     pub log_likelihood: f64,
@@ -399,7 +399,7 @@ const WIDENED: f64 = 1.2;
 /// moves no figure by more than the sampling error of the draws.
 const ROUNDS: usize = 3;
 
-/// The same figures, taken as exact: the fit asks what follows from each value.
+/// The same figures, taken as exact: the fit needs the consequences of each value.
 fn exact(fitted: &Fitted) -> Fitted {
     let errors = FigureErrors { covariance: [[0.0; FIGURES]; FIGURES], ..fitted.errors };
     let objects = ObjectFigures { covariance: [[0.0; 2]; 2], ..fitted.objects };

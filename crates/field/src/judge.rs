@@ -361,7 +361,7 @@ impl Figures {
         Self::of_values(&values.collect::<Vec<_>>())
     }
 
-    /// Of single values: the crash, the value (m/s) and the truth (m/s).
+    /// The figures of single values: the crash, the value (m/s) and the truth (m/s).
     pub(crate) fn of_values(rows: &[(&str, f64, f64)]) -> Option<Self> {
         let cases: Vec<&str> = rows.iter().map(|(case, _, _)| *case).collect();
         let errors: Vec<f64> = rows.iter().map(|(_, value, truth)| ln(value / truth)).collect();

@@ -24,7 +24,7 @@ pub struct ObjectCrash {
     pub kind: PairKind,
 }
 
-/// What an object is by NHTSA's code OBJCONT (CISS Analytical User's Manual).
+/// The kind of an object by NHTSA's code OBJCONT (CISS Analytical User's Manual).
 pub(crate) fn kind_of_object(code: u32) -> PairKind {
     match code {
         // Trees; breakaway poles and posts; others by their diameter.
@@ -55,7 +55,7 @@ impl Crash for ObjectCrash {
         None
     }
 
-    /// The object does not move and takes no energy; its surface lies against the damaged face.
+    /// The object does not move and absorbs no energy; its surface lies against the damaged face.
     fn known(
         &self,
         _: Option<VehicleId>,

@@ -26,9 +26,9 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
 }
 
-/// Reads vehicles that struck a fixed object, one per line, with the columns of CISS; `None` if the table is
-/// not one of these, as it has no column OBJCONT. Only damage to the front is read: a vehicle that met an
-/// object with its side or its rear did not travel along its heading, and which way it did is not known.
+/// Reads vehicles that struck a fixed object, one per line, with the columns of CISS; `None` if the table has
+/// no column OBJCONT and so is not such a table. Only damage to the front is read: a vehicle that met an
+/// object with its side or its rear did not travel along its heading, and its direction of travel is unknown.
 ///
 /// # Errors
 /// If the file is not a table of this form, with the line and the column.
@@ -54,7 +54,7 @@ pub fn read_objects(text: &str) -> Result<Option<Vec<ObjectCrash>>, FieldError> 
     if found.is_empty() { Err(FieldError::NoObjects) } else { Ok(Some(found)) }
 }
 
-/// The column that says what a vehicle struck.
+/// The column for the object that a vehicle struck.
 const OBJECT: &str = "OBJCONT";
 
 /// A whole number. Tables whose columns have gaps tend to write 1 as 1.0.

@@ -19,9 +19,9 @@ pub struct RecorderRow {
 /// Two vehicles whose recorders both stored a speed before the impact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedPair {
-    /// The vehicles. The depths of one whose crush was not measured are 0.
+    /// The vehicles. The depths of a vehicle whose crush was not measured are 0.
     pub pair: Pair,
-    /// Whose crush was measured: at least one.
+    /// Whether the crush of each vehicle was measured, which is true of at least one.
     pub is_measured: [bool; 2],
     /// The speeds before the impact.
     pub last: [LastSpeed; 2],
@@ -60,8 +60,8 @@ impl LastSpeed {
 /// (s) longest time from the last sample to the impact: recorders store five seconds, a few of them twenty.
 const MOST_GAP: f64 = 20.0;
 
-/// Reads a table of crashes with recorders, one per line, with the columns of CIREN. A row that lacks what a
-/// judgement takes says so.
+/// Reads a table of crashes with recorders, one per line, with the columns of CIREN. A row without the data
+/// for a judgement states what is missing.
 ///
 /// # Errors
 /// If the file is not a table of this form, with the line and the column.

@@ -1,4 +1,4 @@
-//! Speeds before impact and ΔV by all other evidence, judged by what recorders stored.
+//! Speeds before impact and ΔV by all other evidence, judged by recorders.
 
 use std::ops::ControlFlow;
 
@@ -38,15 +38,15 @@ pub struct JudgedDeltaV {
     pub case: String,
     /// The vehicle.
     pub vehicle: VehicleId,
-    /// What its recorder stored.
+    /// The value that its recorder stored.
     pub truth: Truth,
     /// (m/s) by momentum to one common velocity.
     pub common: f64,
-    /// (m/s) median of the estimate by all evidence but the ΔV of recorders.
+    /// (m/s) median of the estimate by all evidence except the ΔV of recorders.
     pub median: f64,
 }
 
-/// A record that is hardly of the impact that the row describes.
+/// A record that is probably not of the impact that the row describes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DoubtedRecord {
     /// Number of the crash.
@@ -59,7 +59,8 @@ pub struct DoubtedRecord {
     pub common: f64,
 }
 
-/// A part of the evidence that [`judge_recorders`] makes exact, to show how much of a width it is.
+/// A part of the evidence that [`judge_recorders`] takes as exact, to show its share of the width of an
+/// interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WidthPart {
     /// The headings and the direction of the crush plane.
@@ -116,7 +117,7 @@ pub struct DeltaVFigures {
     pub rms: Option<f64>,
 }
 
-/// All of a table.
+/// The judgement of a whole table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorders {
     /// Number of rows.
@@ -125,7 +126,7 @@ pub struct Recorders {
     pub finished: usize,
     /// Whether the crashes were taken as chosen for an injury.
     pub injured: bool,
-    /// The speed of each vehicle by all evidence but its recorder.
+    /// The speed of each vehicle by all evidence except its recorder.
     pub speeds: Vec<JudgedRecord>,
     /// Their figures.
     pub other_speed: SpeedFigures,
@@ -142,8 +143,8 @@ pub struct Recorders {
 }
 
 /// (–) |ln| of the ratio of a stored ΔV to that of a common velocity beyond which it is doubted: seven times
-/// the rms of 17 records (0.153, CIREN), and more than a sideswipe between a full impact and no impact at
-/// all keeps of its ΔV.
+/// the rms of 17 records (0.153, CIREN), and more than the reduction of ΔV in a sideswipe, which is between a
+/// full impact and no impact at all.
 const ANOTHER_IMPACT: f64 = 1.0;
 
 impl LastSpeed {
@@ -196,7 +197,7 @@ impl RecordedPair {
         self.pair.truths().into_iter().map(shown).filter(|(.., common)| *common > 0.0).collect()
     }
 
-    /// The records that are hardly of this impact.
+    /// The records that are probably not of this impact.
     fn doubted(&self) -> Vec<DoubtedRecord> {
         let compared = self.compared().into_iter();
         let far = compared.filter(|(_, truth, common)| ln(truth.delta_v / common).abs() > ANOTHER_IMPACT);
@@ -281,7 +282,7 @@ fn moments(errors: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 }
 
 /// Estimates, for each crash whose two recorders stored a speed before the impact, the speed of each vehicle
-/// from all evidence but its own recorder, and ΔV of both from both speeds: by momentum to one common
+/// from all evidence except its own recorder, and ΔV of both from both speeds: by momentum to one common
 /// velocity, and by the estimate.
 /// `progress` gets the number of finished rows and of all, and may end the run, which then judges the
 /// finished rows.
@@ -384,7 +385,7 @@ impl SpeedFigures {
 }
 
 impl RecordedPair {
-    /// The speed of a vehicle by all evidence but its own recorder.
+    /// The speed of a vehicle by all evidence except its own recorder.
     fn speed(
         &self,
         id: VehicleId,

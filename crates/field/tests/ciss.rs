@@ -106,7 +106,7 @@ fn a_pair_has_the_cells_of_its_tables() {
         ("EDREVENT", "EDREVENT.csv", 4),
     ];
     assert_eq!(counts, expected);
-    // What is judged reads it, and it comes back.
+    // The reader of tables of pairs reads it, and gives the same.
     assert_eq!(field::read(&csv).unwrap().len(), 1);
     assert_eq!(read_pairs("pairs.csv", csv.as_bytes()).unwrap(), found.rows);
     let columns = CissCrashes::columns(false);
@@ -127,7 +127,7 @@ fn a_vehicle_that_struck_a_tree_has_its_cells() {
     assert_eq!(csv.split_once('\n').unwrap().1, row);
     assert!(csv.starts_with("YEAR,CASEID,EVENTNO,VEHNO,MAKE,") && csv.contains("MAXDVLAT,OBJCONT\n"));
     assert_eq!(field::read_objects(&csv).unwrap().unwrap()[0].kind, field::PairKind::TreeOrPole);
-    // Another vehicle and the ground below a rollover of it are no fixed objects.
+    // Another vehicle, and the ground in a rollover, are not fixed objects.
     let mut other = tables().with("CDC.csv", "7,2,2,42", "7,2,2,30");
     assert_eq!(
         (objects(&mut other).unwrap().rows.len(), objects(&mut other).unwrap().left_out.len()),

@@ -1,4 +1,4 @@
-//! Reading a table of pairs, and what becomes of a pair.
+//! Reading a table of pairs, and the collision that is made from a pair.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -78,7 +78,7 @@ fn recorders_count_only_where_they_can_be_judged() {
         let pairs = read(&table(&LINE.replace("-24,7", recorder))).unwrap();
         let truth = pairs[0].vehicles[0].truth();
         assert_eq!(truth.map(|truth| (3.6 * truth.delta_v).round()), expected, "{recorder}");
-        // The same on the struck side: the part along the vehicle tells nothing of the push across it.
+        // The same on the struck side: the longitudinal part is not evidence on the push across the vehicle.
         let sides =
             read(&table(&LINE.replace("-24,7", ",").replace("20,,,", &format!("20,,{recorder}")))).unwrap();
         let both = recorder == "-24,7";
@@ -110,11 +110,11 @@ fn the_collision_has_the_geometry_of_the_damage() {
     assert!((front.constant - constant(2.22)).abs() < 1e-9 && (side.constant - constant(1.58)).abs() < 1e-9);
     // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
     assert!((front.linear - 1000.0 * 2.22 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
-    // The recorder is no evidence, unless it is given.
+    // The recorder is not evidence, unless it is given.
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
     assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
-    // It came from where 24 km/h backward and 7 to the right point away from.
+    // The force came from the direction opposite to 24 km/h backward and 7 to the right.
     let direction = given.observed.vehicles[0].recorder.direction.unwrap();
     // tan p = −7/24
     assert!((direction.pdof + 0.283_794_109_208_327_9).abs() < 1e-12);
@@ -185,7 +185,7 @@ fn the_case_file_of_a_pair_has_its_numbers() {
         let table = text.split(given).nth(1).unwrap().split("\n\n").next().unwrap();
         assert!(table.contains(degrees), "{table}");
     }
-    // 10 cm to the right on the front, 30 cm forward on the side: each face leaves open where along it.
+    // 10 cm to the right on the front, 30 cm forward on the side: the place along each face is uncertain.
     assert!(text.contains("y = { value = \"-0.100 m\", sd = \"0.250 m\" }"), "{text}");
     assert!(text.contains("x = { value = \"0.300 m\", sd = \"0.250 m\" }"), "{text}");
     // The normal points along −x.
@@ -209,7 +209,7 @@ fn the_case_file_of_a_pair_has_its_numbers() {
     }
 }
 
-/// A run that is ended says how far it came.
+/// A run that is ended early reports how far it came.
 #[test]
 fn an_ended_judgement_says_so() {
     use field::FieldError;
@@ -250,7 +250,7 @@ fn fronts_that_struck_an_object_are_read() {
         crashes.iter().map(|crash| crash.truths().first().map(|of| of.1.delta_v * 3.6)).collect();
     assert!((truths[0].unwrap() - 40.0).abs() < 1e-9 && (truths[1].unwrap() - 50.0).abs() < 1e-9);
     assert_eq!(truths[2], None);
-    // A table of pairs is none of objects, with lines or without.
+    // A table of pairs is not one of objects, with lines or without.
     assert_eq!(read_objects(&table(LINE)).unwrap(), None);
     assert_eq!(read_objects(&format!("{HEADER}\n")).unwrap(), None);
     for (from, to, said) in [
@@ -300,7 +300,7 @@ fn an_object_takes_no_energy_and_does_not_move() {
     assert_eq!(names, ["all", "tree-pole", "barrier-wall"]);
     // WinSMASH's 29 km/h along the vehicle.
     assert!((field.judged[0].winsmash.unwrap() - 29.0 / 3.6).abs() < 1e-12);
-    // More energy than the impulse took, where the bias says so: ΔV falls by its half.
+    // More energy than the impulse took, by the bias: ΔV falls by half of it.
     let biased = Fitted {
         objects: ObjectFigures { misfit: CrushMisfit { bias: 0.5, ln_sd: 0.02 }, ..objects },
         ..fitted

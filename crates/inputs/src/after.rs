@@ -147,11 +147,11 @@ pub struct Before<T = f64> {
 pub struct GivenPhase<T = f64> {
     /// Its numbers.
     pub form: PhaseForm<T>,
-    /// Where they come from.
+    /// The source of these numbers.
     pub source: Option<Text>,
 }
 
-/// The numbers of such a stretch: two of them tell the others, once the speed at its end is known.
+/// The numbers of such a stretch: two of them determine the others once the speed at its end is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhaseForm<T = f64> {
     /// (m) its length.
@@ -172,7 +172,8 @@ impl<T> PhaseForm<T> {
         [distance, time, speed, acceleration].into_iter().filter(|number| number.is_some()).count()
     }
 
-    /// Whether it begins with a known speed and two more of its numbers, and so tells the speed at its end.
+    /// Whether the speed at its beginning and two more of its numbers are given, which determine the speed at
+    /// its end.
     #[must_use]
     pub fn leads_on(&self) -> bool {
         self.speed.is_some() && self.given() == 3

@@ -35,7 +35,7 @@ impl Axes {
         }
     }
 
-    /// (m) what counts along the face of a side, in the axes of the engine: to the left on front and rear,
+    /// (m) a distance along the face of a side, in the axes of the engine: to the left on front and rear,
     /// forward on the sides, which is forward in any axes.
     #[must_use]
     pub fn along_face<T: Real>(self, side: Side, distance: T) -> T {

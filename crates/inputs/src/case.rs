@@ -28,7 +28,7 @@ use crate::vehicle::GivenVehicle;
 pub struct Case<T = f64> {
     /// The title, which heads every report.
     pub title: Option<Text>,
-    /// Where the data come from.
+    /// The source of the data.
     pub source: Option<Text>,
     /// `[report]`.
     pub report: ReportHead,

@@ -1,4 +1,4 @@
-//! The damage of a vehicle: what its table `crush` holds.
+//! The damage of a vehicle: the content of its table `crush`.
 
 use std::f64::consts::PI;
 use std::fmt::Display;
@@ -43,7 +43,7 @@ pub struct Crush<T = f64> {
     pub oblique: Option<ObliqueCorrection<T>>,
 }
 
-/// A damage of which the energy is known, and not the crush.
+/// A damage whose energy is known, but not its crush.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownEnergy<T = f64> {
     /// `ees` in the table `crush`.
@@ -52,7 +52,7 @@ pub enum KnownEnergy<T = f64> {
     Undamaged,
 }
 
-/// The keys beside `ees`.
+/// `ees` and the keys that accompany it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GivenEes<T = f64> {
     /// (m/s) energy equivalent speed: ½ m EES² is the energy of all plastic deformation.
@@ -66,7 +66,7 @@ pub struct GivenEes<T = f64> {
 }
 
 impl<T> KnownEnergy<T> {
-    /// The keys beside `ees`; `None` without damage.
+    /// `ees` and the keys that accompany it; `None` without damage.
     #[must_use]
     pub fn ees(&self) -> Option<&GivenEes<T>> {
         match self {

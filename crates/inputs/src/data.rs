@@ -1,4 +1,4 @@
-//! What each purpose takes from a case, in the types of the engines.
+//! The data that each purpose takes from a case, in the types of the engines.
 
 use crash3::{DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness};
 use pim_core::{Contact, Motion, VaryingLaw};
@@ -17,7 +17,7 @@ pub struct CollisionData<T = f64> {
     pub contact: Contact<T>,
     /// The impact law.
     pub law: VaryingLaw<T>,
-    /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
+    /// Motions before impact. A vehicle whose speed is sought is at rest here except for its yaw rate.
     pub motions: [Motion<T>; 2],
     /// The data of each vehicle.
     pub vehicles: [VehicleData<T>; 2],
@@ -26,7 +26,7 @@ pub struct CollisionData<T = f64> {
 /// The data of one vehicle, as far as the case gives them.
 #[derive(Clone, Debug)]
 pub struct VehicleData<T = f64> {
-    /// What it is, where the case says so.
+    /// The kind of vehicle, if the case gives it.
     pub kind: Option<VehicleKind>,
     /// Mass and yaw inertia, or `None` for a fixed object.
     pub inertia: Option<InertiaData<T>>,
@@ -38,7 +38,7 @@ pub struct VehicleData<T = f64> {
     pub dimensions: Option<Dimensions<T>>,
     /// The damage, where its crush was measured or is to be inferred.
     pub damage: Option<DamageData<T>>,
-    /// (J) what it took where it bent, cracked or leaned; of a fixed object alone.
+    /// (J) energy that it absorbed where it bent, cracked or leaned; only for a fixed object.
     pub deformation_energy: Option<T>,
     /// The damage, where only its energy is known.
     pub energy: Option<EnergyData<T>>,
@@ -66,7 +66,7 @@ impl<T: Copy> VehicleData<T> {
     }
 }
 
-/// A damage of which only the energy is known.
+/// A damage of which nothing but the energy is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyData<T = f64> {
     /// (m/s) energy equivalent speed; `None` without damage.
@@ -88,20 +88,20 @@ pub struct EnergyData<T = f64> {
 pub struct InertiaData<T = f64> {
     /// (kg) mass.
     pub mass: T,
-    /// (kg·m²) yaw inertia; only the damage of a vehicle alone does without.
+    /// (kg·m²) yaw inertia; only an analysis of the damage of a single vehicle does not need it.
     pub yaw_inertia: Option<T>,
-    /// Where the yaw inertia comes from.
+    /// The source of the yaw inertia.
     pub yaw_source: YawSource,
 }
 
-/// The damage, and what the case says about the force that caused it.
+/// The damage, and the data of the case on the force that caused it.
 #[derive(Clone, Debug)]
 pub struct DamageData<T = f64> {
     /// The damaged side.
     pub side: Side,
-    /// How the crush is known.
+    /// The evidence of the crush.
     pub evidence: CrushEvidence<T>,
-    /// Where its stiffness comes from.
+    /// The source of its stiffness.
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
     pub face: Option<DamagedFace<T>>,
@@ -155,7 +155,7 @@ pub enum InferredWidth<T = f64> {
     },
 }
 
-/// Where a stiffness comes from.
+/// The source of a stiffness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StiffnessSource {
     /// A and B as given.

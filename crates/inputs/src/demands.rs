@@ -1,4 +1,5 @@
-//! Turns a case into the types of the engines, and reports what each purpose needs and does not find.
+//! Turns a case into the types of the engines, and reports the data that each purpose needs and the case
+//! lacks.
 
 mod avoid;
 mod collision;
@@ -59,8 +60,8 @@ impl<T: Real> Case<T> {
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
 
-    /// The vehicles as they stand at the impact, at rest but for their yaw rates, whatever is known of their
-    /// speeds: what a picture of them needs.
+    /// The vehicles in their positions at the impact, at rest except for their yaw rates, whether or not
+    /// their speeds are known: the data for a picture of them.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
@@ -112,8 +113,8 @@ impl Case {
         }))
     }
 
-    /// (m) where the contact point of the impact lies, in the axes of the engine, by each source that the
-    /// case has for it: as given for the scene, and as the CG of each vehicle and its arm put it.
+    /// (m) position of the contact point of the impact, in the axes of the engine, by each source in the
+    /// case: as given for the scene, and from the CG of each vehicle and its arm.
     #[must_use]
     pub fn contact_places(&self) -> [Option<Vector2<f64>>; 3] {
         let mut demand = Demand::new(self, self.furthest_purpose());
@@ -122,8 +123,8 @@ impl Case {
         [given, one, two]
     }
 
-    /// (m) where the contact point of the impact lies, in the axes of the engine: as given for the scene, or
-    /// half-way between the points where both vehicles put it, or where one of them does.
+    /// (m) position of the contact point of the impact, in the axes of the engine: as given for the scene, or
+    /// half-way between the points by both vehicles, or the point by one of them.
     #[must_use]
     pub fn contact_place(&self) -> Option<Vector2<f64>> {
         let [given, one, two] = self.contact_places();

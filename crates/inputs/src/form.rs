@@ -130,7 +130,7 @@ pub enum DamageForm<'a, N = f64> {
     Unknown,
     /// There is no damage, or its energy does not count.
     Undamaged,
-    /// (J) what a fixed object took.
+    /// (J) energy that a fixed object absorbed.
     OfObject(Quantity<N>),
     /// (m/s) its energy equivalent speed.
     Ees(Quantity<N>),
@@ -259,7 +259,7 @@ impl<N: Copy + From<f64>> Case<N> {
                     DamageForm::Inferred(CrushForm { crush, factor })
                 }
                 (Some(crush), _) => DamageForm::Measured(CrushForm { crush, factor }),
-                // Neither the side nor how the force acts changes the energy.
+                // The energy depends neither on the side nor on how the force acts.
                 (None, Some(KnownEnergy::Ees(GivenEes { ees, side: _, pdof: _, moment_arm: _ }))) => {
                     DamageForm::Ees(*ees)
                 }

@@ -1,4 +1,4 @@
-//! The impact: what the table `[impact]` holds.
+//! The impact: the content of the table `[impact]`.
 
 use pim_core::{InvalidInput, Law, Real, RestitutionCurve, Tangential, VaryingLaw};
 
@@ -168,7 +168,7 @@ impl<T: Real> ImpactLaw<T> {
     /// The law of the engine, in its axes.
     ///
     /// # Errors
-    /// The key of what the engine refuses, and why it does.
+    /// The key of the value that the engine refuses, and the reason.
     pub fn of_engine(&self, axes: Axes) -> Result<VaryingLaw<T>, (&'static str, InvalidInput)> {
         let curve = match self.restitution().and_then(Restitution::points) {
             Some(points) => Some(RestitutionCurve::new(points).map_err(|why| ("impact.restitution", why))?),

@@ -40,7 +40,7 @@ impl<T: Copy> Quantity<T> {
         Quantity { number, unit: self.unit }
     }
 
-    /// What comes of the number, in the same unit.
+    /// The number changed by a function, in the same unit.
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Quantity<U> {

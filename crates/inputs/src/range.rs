@@ -33,7 +33,7 @@ pub enum Spread {
         /// Greatest value.
         high: Amount,
     },
-    /// `{ low, mode, high }`: between the two, likeliest at the central value.
+    /// `{ low, mode, high }`: between the two, with the central value most likely.
     Triangular {
         /// Least value.
         low: Amount,

@@ -1,4 +1,4 @@
-//! The tables of a recorder: what it stored before the impact and during it.
+//! The tables of a recorder: the data that it stored before the impact and during it.
 
 use std::fmt::Display;
 
@@ -12,18 +12,18 @@ use crate::text::Text;
 use crate::units::STANDARD_GRAVITY;
 use crate::walk::{Key, Walk};
 
-/// Where the table of a recorder comes from.
+/// The source of a recorder's table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SeriesSource {
     /// `text`: copied out of a printed report, or the lines of a CSV.
     Text(Text),
-    /// `file`: the name of a text beside the case.
+    /// `file`: the name of a text file next to the case file.
     File(Text),
     /// `time`, `speed` and so on: a text of values with their unit for each column.
     Columns(Vec<(Channel, Text)>),
 }
 
-/// Why a table is none that a case can use.
+/// Why a case cannot use a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SeriesRefusal {
     /// The text cannot be read.
@@ -32,14 +32,14 @@ pub enum SeriesRefusal {
     Column(Channel, TextRefusal),
     /// The text has tables, but none of this kind.
     NoneOfKind {
-        /// What was wanted, in words.
+        /// The kind that was wanted, in words.
         wanted: &'static str,
         /// The headings of the tables, with what they were taken for.
         found: String,
     },
-    /// What was read is no record before an impact; with the place of the row, if it is of one.
+    /// The table is no record before an impact; with the place of the row, if a row is the reason.
     PreCrash(PreCrashFault, Option<TextPlace>),
-    /// What was read is no pulse.
+    /// The table is no pulse.
     Pulse(PulseFault),
 }
 
@@ -57,7 +57,7 @@ impl Display for SeriesRefusal {
 }
 
 impl SeriesRefusal {
-    /// Where in its text, if it is of a place.
+    /// Its place in the text, if it has one.
     #[must_use]
     pub fn place(&self) -> Option<TextPlace> {
         match self {
@@ -68,29 +68,29 @@ impl SeriesRefusal {
     }
 }
 
-/// A table of `[vehicleN.recorder]`, and what it says.
+/// A table of `[vehicleN.recorder]`, and its content.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenSeries<R> {
-    /// Where it comes from.
+    /// Its source.
     pub source: SeriesSource,
     /// Which rows of a long table of NHTSA: `VEHNO 1, EDREVENTNO 2`.
     pub rows: Option<Text>,
     /// What was recognised in it: one table, or one for each axis of a pulse. Empty for a file that is not
     /// read yet.
     pub tables: Vec<RecorderTable>,
-    /// What it says; `None` for a file that is not read yet.
+    /// Its content; `None` for a file that is not read yet.
     pub record: Option<R>,
 }
 
-/// `pre_crash`: what was stored before the impact.
+/// `pre_crash`: the data stored before the impact.
 pub type GivenPreCrash = GivenSeries<PreCrash>;
 
 /// `pulse`: ΔV over time. Lateral ΔV is positive to the right, as recorders store it.
 pub type GivenPulse = GivenSeries<CrashPulse>;
 
-/// What the tables of a recorder say.
+/// The content of the tables of a recorder.
 pub trait OfTables: Sized {
-    /// The tables that are of this kind, and what they say.
+    /// The tables of this kind, and their content.
     ///
     /// # Errors
     ///
@@ -229,13 +229,13 @@ pub struct GivenSpeedErrors {
     pub brake_comes_on: Option<f64>,
     /// (s) greatest age of a stored speed.
     pub latency: Option<Quantity>,
-    /// (%) probability that a last speed that fell by more than g is of the impact itself.
+    /// (%) probability that the last speed belongs to the impact itself if it fell by more than 1 g.
     pub last_is_of_impact: Option<f64>,
 }
 
 impl GivenSpeedErrors {
-    /// The errors with the defaults for what is not given; the drag factor is that of the ground, if the case
-    /// gives it, and the step that of the record, if there is one.
+    /// The errors with the defaults for those that are not given; the drag factor is that of the ground, if
+    /// the case gives it, and the step that of the record, if there is one.
     #[must_use]
     pub fn errors(&self, ground: Option<f64>, record: Option<&PreCrash>) -> ImpactSpeedErrors {
         let usual = ImpactSpeedErrors::default();

@@ -33,13 +33,13 @@ pub struct Recorder {
     pub yaw_rate: Option<Quantity>,
     /// (rad/s) standard deviation of the error of that yaw rate.
     pub yaw_rate_error: Option<Quantity>,
-    /// What it stored before the impact.
+    /// The data that it stored before the impact.
     pub pre_crash: Option<Arc<GivenPreCrash>>,
     /// ΔV over time.
     pub pulse: Option<Arc<GivenPulse>>,
     /// Whether the recorder did not finish the record, so that its ΔV is a lower bound.
     pub incomplete: bool,
-    /// Where it is in the vehicle; at the centre of gravity where absent.
+    /// Its position in the vehicle; at the centre of gravity if absent.
     pub at: Option<Place>,
     /// The errors of a stored speed.
     pub errors: GivenSpeedErrors,
@@ -64,7 +64,7 @@ impl OtherImpact {
     /// `when`, with its words.
     pub const WHEN: [(&str, bool); 2] = [("before", false), ("after", true)];
 
-    /// As far as it tells records apart.
+    /// The data by which records are distinguished.
     #[must_use]
     pub fn known(&self) -> KnownImpact {
         let si = |of: &Option<Quantity>| of.as_ref().map(Quantity::si);
@@ -75,34 +75,34 @@ impl OtherImpact {
 /// One of several records of a recorder.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StoredRecord {
-    /// What it holds; `at` and `errors` are those of the recorder, and not here.
+    /// Its content; `at` and `errors` belong to the recorder and are not used here.
     pub stored: Recorder,
     /// (s) from the record before it.
     pub since_previous: Option<Quantity>,
 }
 
-/// (m/s) 2 km/h: a vehicle below stood or crawled, and its error is no share of its speed.
+/// (m/s) 2 km/h: a slower vehicle stood or crawled, and the error of its speed is not a share of that speed.
 const STOOD: f64 = 2.0 / 3.6;
 
-/// The speed at impact as a recorder tells it.
+/// The speed at impact by a recorder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RecordersSpeed {
     /// (m/s) the speed.
     pub speed: f64,
-    /// (–) standard deviation of its error as a share of it; `None` where the case leaves it to a default.
+    /// (–) standard deviation of its error as a share of it; `None` if the default applies.
     pub error: Option<f64>,
-    /// Whether it follows from the table before the impact, and is not given as a number.
+    /// Whether it follows from the table before the impact, rather than being given as a number.
     pub is_of_table: bool,
 }
 
-/// ΔV as a recorder tells it, seen along and to the left of the vehicle.
+/// ΔV by a recorder, along the vehicle and to its left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RecordersDeltaV {
     /// (m/s) along the vehicle, positive forward.
     pub along: Option<f64>,
     /// (m/s) across the vehicle, positive to the left.
     pub left: Option<f64>,
-    /// Whether it follows from the pulse, and is not given as numbers.
+    /// Whether it follows from the pulse, rather than being given as numbers.
     pub is_of_table: bool,
 }
 
@@ -152,8 +152,8 @@ impl Recorder {
         self.errors.errors(ground, self.before_impact())
     }
 
-    /// The speed at impact: as given or, where it is not, by the table before the impact. `None` also of a
-    /// vehicle that stood or crawled by the table.
+    /// The speed at impact: as given or, if it is not, by the table before the impact. Also `None` if the
+    /// vehicle stood or crawled according to the table.
     #[must_use]
     pub fn tells_speed(&self, ground: Option<f64>) -> Option<RecordersSpeed> {
         let given = self.speed_error.map(|percent| percent / 100.0);
@@ -165,16 +165,16 @@ impl Recorder {
         Some(RecordersSpeed { speed: found.mean, error, is_of_table: true })
     }
 
-    /// ΔV: as given or, where it is not, by the pulse if that ends within the record. A recorder away from
-    /// the centre of gravity is taken there by the yaw rate after the impact less that `before` it (rad/s, in
-    /// the sense of the axes), if the case gives place and yaw rate.
+    /// ΔV: as given or, if it is not, by the pulse if that ends within the record. The ΔV of a recorder away
+    /// from the centre of gravity is converted to there by the yaw rate after the impact less that `before`
+    /// it (rad/s, in the sense of the axes), if the case gives place and yaw rate.
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         self.delta_v(axes, before).filter(|(_, complete)| *complete).map(|(told, _)| told)
     }
 
-    /// The least ΔV, where the record does not hold the whole of it: it ends before the impact does, or the
-    /// recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
+    /// A lower bound of ΔV, if the record does not contain all of it: because it ends before the impact does,
+    /// or because the recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
     #[must_use]
     pub fn least_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         self.delta_v(axes, before).filter(|(_, complete)| !complete).map(|(told, _)| told)
@@ -187,7 +187,7 @@ impl Recorder {
         Some(Self { at: self.at, errors: self.errors, ..stored })
     }
 
-    /// Its record as far as that tells impacts apart, seen beside this one; `before` as in
+    /// The data of its record by which impacts are distinguished, compared with this one; `before` as in
     /// [`tells_delta_v`](Self::tells_delta_v).
     #[must_use]
     pub fn event(&self, axes: Axes, before: f64, impact: &KnownImpact) -> EventRecord {
@@ -195,7 +195,7 @@ impl Recorder {
         EventRecord::new([told.along, told.left.map(|left| -left)], complete, impact)
     }
 
-    /// ΔV, and whether the record holds all of it.
+    /// ΔV, and whether the record contains all of it.
     fn delta_v(&self, axes: Axes, before: f64) -> Option<(RecordersDeltaV, bool)> {
         if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
             let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);

@@ -26,7 +26,7 @@ impl<T: Copy> Place<T> {
     }
 }
 
-/// (m) what lies so far forward and left of a CG, in the directions of the scene.
+/// (m) a displacement forward and left from a CG, in the directions of the scene.
 pub(crate) fn in_scene<T: Real>([forward, left]: [T; 2], heading: T) -> Vector2<T> {
     let (sin, cos) = heading.sin_cos();
     // (f cos θ − l sin θ, f sin θ + l cos θ)

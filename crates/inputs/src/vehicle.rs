@@ -1,4 +1,4 @@
-//! A vehicle: what the tables `[vehicle1]` and `[vehicle2]` hold.
+//! A vehicle: the content of the tables `[vehicle1]` and `[vehicle2]`.
 
 use std::fmt::Display;
 
@@ -17,7 +17,7 @@ use crate::text::Text;
 use crate::walk::{Key, Walk};
 use crate::words::words;
 
-/// What a vehicle is: its plausible sizes, the tables that apply to it and its drawing depend on that.
+/// The kind of a vehicle: its plausible sizes, the tables that apply to it and its drawing depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VehicleKind {
     /// `"car"`: a car, a van or a pickup.
@@ -41,7 +41,7 @@ pub struct GivenVehicle<T = f64> {
     pub name: Option<Text>,
     /// A barrier: it has neither mass nor motion nor crush.
     pub fixed: bool,
-    /// What it is; [`VehicleKind::Car`] where absent.
+    /// Its kind; [`VehicleKind::Car`] if absent.
     pub kind: Option<VehicleKind>,
     /// `mass` or `weight`.
     pub mass: Option<Mass<T>>,
@@ -62,10 +62,10 @@ pub struct GivenVehicle<T = f64> {
     /// (rad) from the heading to the direction of travel before the impact, in the sense of the axes; 0 where
     /// absent.
     pub sideslip: Option<Quantity<T>>,
-    /// Where the centre of gravity was at the impact, in the coordinates of the survey.
+    /// Position of the centre of gravity at the impact, in the coordinates of the survey.
     pub position: Option<Place<T>>,
-    /// From the centre of gravity to the point where the impulse acts. Where it is absent, an impact takes
-    /// the centroid of the damage, if the case tells [where that lies](Self::places_contact).
+    /// From the centre of gravity to the point where the impulse acts. If it is absent, an impact takes the
+    /// centroid of the damage, provided that the case gives [its position](Self::places_contact).
     pub contact: Option<ContactPoint<T>>,
     /// `speed` or `velocity`, before the impact.
     pub motion: Option<Velocity<T>>,
@@ -75,7 +75,7 @@ pub struct GivenVehicle<T = f64> {
     pub outline: Option<Outline<T>>,
     /// (m) of a pole or a tree: a fixed object that is round.
     pub diameter: Option<Quantity<T>>,
-    /// (J) what a fixed object took where it bent, cracked or leaned.
+    /// (J) energy that a fixed object absorbed where it bent, cracked or leaned.
     pub deformation_energy: Option<Quantity<T>>,
     /// `[vehicleN.crush]` with a measured or inferred crush.
     pub crush: Option<Crush<T>>,
@@ -100,7 +100,7 @@ impl GivenVehicle {
 }
 
 impl<T> GivenVehicle<T> {
-    /// Whether the case tells the crush energy, in one form or another.
+    /// Whether the case gives the crush energy, in one form or another.
     #[must_use]
     pub fn has_damage_data(&self) -> bool {
         self.crush.is_some() || self.energy.is_some()
@@ -134,7 +134,7 @@ impl<T> GivenVehicle<T> {
         self.outline.is_some() || self.class.is_some()
     }
 
-    /// Whether the case says nothing of it, so that the other vehicle is alone.
+    /// Whether the case has no data on it, so that the other vehicle is alone.
     #[must_use]
     pub fn is_absent(&self) -> bool {
         // Without `..`: a new field does not compile before it counts here.

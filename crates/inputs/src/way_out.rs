@@ -8,7 +8,7 @@ use crate::quantity::Quantity;
 use crate::scene::{Place, in_scene};
 use crate::vehicle::{ContactPoint, Outline};
 
-/// The way of the other party out of the danger zone.
+/// The path of the other party out of the danger zone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClearForm<T = f64> {
     /// How far it still has to go.
@@ -31,9 +31,9 @@ pub enum WayOutForm<T = f64> {
 pub enum ClearSpeedForm<T = f64> {
     /// (m/s) steadily.
     Steady(Quantity<T>),
-    /// As the demand says that it came.
+    /// As fast as it came.
     AsItCame,
-    /// With the speed of its vehicle, which the rest of the case tells.
+    /// With the speed of its vehicle, which the rest of the case gives.
     Sought,
 }
 
@@ -48,7 +48,7 @@ pub struct OutlinesForm<T = f64> {
     pub places: PlacesForm<T>,
 }
 
-/// How it is known where two vehicles are at the impact.
+/// The source of the positions of two vehicles at the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlacesForm<T = f64> {
     /// By the contact point, from the centre of gravity of each.
@@ -89,7 +89,7 @@ impl<T: Copy> ClearForm<T> {
 
 impl OutlinesForm {
     /// (m) how far the other vehicle goes straight on until its outline has left the strip that the outline
-    /// of the first sweeps; 0 if it is out of it.
+    /// of the first sweeps; 0 if it is already out of it.
     ///
     /// # Errors
     /// If both travel along one line, or a number is impossible.

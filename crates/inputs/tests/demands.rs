@@ -1,4 +1,5 @@
-//! What the engines get of a case, against hand calculations: units, axes, defaults, and what is missing.
+//! The data that the engines get from a case, compared with hand calculations: units, axes, defaults, and
+//! missing data.
 
 use std::f64::consts::PI;
 
@@ -182,7 +183,7 @@ fn each_missing_value_is_named_by_its_key() {
     assert_eq!(case().furthest_purpose(), Purpose::Impact);
 }
 
-/// The speed that is sought is at rest until it is found, whatever the case says of the other.
+/// The speed sought is zero until it is found, whatever the case gives for the other.
 #[test]
 fn a_sought_speed_is_left_out() {
     let mut case = case();

@@ -1,4 +1,4 @@
-//! Refusals of numbers, for the engines: what an [`InvalidInput`] is raised for.
+//! Refusals of numbers, for the engines: the checks that return an [`InvalidInput`].
 
 use real::Real;
 

@@ -168,7 +168,7 @@ mod tests {
                     let above = [a, b, c].iter().filter(|root| **root > low).count();
                     assert_eq!(cubic.has_one_root_above(low), above == 1, "{a} {b} {c}");
                     counts[above] += 1;
-                    // With reversed signs the critical impulse is no push at fast approaches.
+                    // With reversed signs the critical impulse is not a push at fast approaches.
                     let falling = Cubic { push: push.map(|c| -c), jam: jam.map(|c| -c) };
                     assert_eq!(falling.first_push(), 0.0);
                     let positive = [a, b, c].iter().filter(|root| **root > 0.0).count();

@@ -21,8 +21,8 @@
 //! The extrema of the numerator divide each piece into parts with at most one root each (Rolle), unless the
 //! signs of its Bernstein coefficients show that the whole piece has at most one (Descartes). Brent's method
 //! finds that root of the numerator, and from it the root of the law's own W_n, unless a chord about the
-//! first already gives it. A jump of W_n from one piece to the next is no change of sign within a piece, so
-//! it is never taken for a root.
+//! first already gives it. A jump of W_n from one piece to the next is not a change of sign within a piece,
+//! so it is never taken for a root.
 
 use crash3::EnergyBasis;
 use pim_core::{LawImpulse, Regime, RestitutionCurve, Tangential};

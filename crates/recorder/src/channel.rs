@@ -3,7 +3,7 @@
 /// A quantity that a recorder stores over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Channel {
-    /// (s) time, 0 at the impact or at what started the record.
+    /// (s) time, 0 at the impact or at the event that triggered the record.
     Time,
     /// (m/s) indicated speed.
     Speed,
@@ -31,11 +31,11 @@ pub enum Channel {
     AccelerationLongitudinal,
     /// (m/s²) acceleration across the vehicle.
     AccelerationLateral,
-    /// What no other entry is of: a column that is known and not read.
+    /// Any other quantity: a column that is recognised but not read.
     Other,
 }
 
-/// What a number of a channel measures, which decides the units that it may have.
+/// The dimension of a channel, which determines the units that it may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Dimension {
     Time,
@@ -53,10 +53,10 @@ enum Dimension {
 /// A unit of a heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelUnit {
-    /// As reports write it.
+    /// Its name in reports.
     pub name: &'static str,
     dimension: Dimension,
-    /// (SI per unit) what one of it is.
+    /// (SI per unit) its size.
     pub factor: f64,
 }
 
@@ -440,7 +440,7 @@ impl Channel {
         &ROWS[self as usize]
     }
 
-    /// What a report calls it.
+    /// Its name in a report.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.row().name
@@ -480,8 +480,8 @@ impl Channel {
         UNITS.iter().filter(|(_, unit)| unit.dimension == dimension).map(|(_, unit)| unit.name).collect()
     }
 
-    /// Whether these units say that something else was stored: the voltage of a sensor, or a share of the
-    /// greatest angle.
+    /// Whether these units show that something else was stored: the voltage of a sensor, or a share of the
+    /// largest angle.
     pub(crate) fn is_in_other_units(self, units: &[ChannelUnit]) -> bool {
         !units.is_empty() && !units.iter().any(|unit| self.takes(unit))
     }
@@ -491,18 +491,19 @@ impl Channel {
         self.dimension() == unit.dimension
     }
 
-    /// (SI) the least and the greatest that a recorder stores of it, beyond which a number is none.
+    /// (SI) the smallest and the largest value that a recorder stores of it; a number beyond these is no
+    /// value.
     pub(crate) fn range(self) -> [f64; 2] {
         self.row().range
     }
 
-    /// The stored numbers that mean "no value", each with what one of them is worth (SI).
+    /// The stored numbers that mean "no value", and the size of their unit (SI).
     pub(crate) fn codes(self) -> (&'static [f64], f64) {
         self.row().codes
     }
 }
 
-/// What there is to know of a channel.
+/// The data of a channel.
 struct Row {
     channel: Channel,
     name: &'static str,
@@ -578,7 +579,7 @@ const ROWS: [Row; 15] = {
     ]
 };
 
-// Each row stands at the place of its channel.
+// Each row is at the position of its channel.
 const _: () = {
     let mut at = 0;
     while at < ROWS.len() {
@@ -608,12 +609,12 @@ pub(crate) fn heading_at(words: &[&str]) -> Option<(Channel, usize)> {
     best
 }
 
-/// The axis that a word beside a ΔV names.
+/// The axis that a word next to a ΔV names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Axis {
     Along,
     Across,
-    /// Upward, or of all.
+    /// The vertical axis, or all axes together.
     Other,
 }
 
@@ -629,7 +630,8 @@ impl Axis {
     }
 }
 
-/// Words that say, beside the name of a quantity, that not this quantity of the vehicle was stored over time.
+/// Words next to the name of a quantity that show that the column is not this quantity of the vehicle over
+/// time.
 const DENYING: &[&str] = &[
     "relative",
     "closing",
@@ -670,7 +672,7 @@ const DENYING: &[&str] = &[
     "counter",
 ];
 
-/// Whether this word beside the name of a quantity says that the heading is of something else.
+/// Whether this word next to the name of a quantity shows that the heading is of something else.
 pub(crate) fn denies(word: &str) -> bool {
     DENYING.contains(&word)
 }

@@ -36,8 +36,9 @@ pub struct ImpactSpeedErrors {
     /// (1) probability that a brake that was off in the last sample came on in half a second: 0.25; in the
     /// gap g, 1 − (1 − 0.25)^(g/0.5 s).
     pub brake_comes_on: f64,
-    /// (s) greatest age of a stored speed at the time that the record gives for it: 0.1 s, at any part of it.
-    /// The wheels' control unit sends it every 10 to 100 ms, and the recorder takes the last one that came.
+    /// (s) largest age of a stored speed at the time that the record gives for it: 0.1 s; any age up to this
+    /// is equally likely. The wheels' control unit sends it every 10 to 100 ms, and the recorder takes the
+    /// last one that came.
     pub latency: f64,
     /// (1) probability that a last speed that fell by more than `g` allows is not that of the vehicle before
     /// the impact: 0.5. It is then slip, or the impact itself, and the sample before it counts.
@@ -62,7 +63,7 @@ impl Default for ImpactSpeedErrors {
     }
 }
 
-/// What a part of the error of the speed at impact comes from.
+/// The source of a part of the error of the speed at impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpeedErrorSource {
     /// The speed is stored in steps.
@@ -107,10 +108,10 @@ impl SpeedErrorSource {
     }
 }
 
-/// What one source does to the speed at impact.
+/// The effect of one source on the speed at impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedErrorPart {
-    /// Which.
+    /// The source.
     pub source: SpeedErrorSource,
     /// (m/s) by how much it moves the mean.
     pub shift: f64,
@@ -118,7 +119,7 @@ pub struct SpeedErrorPart {
     pub variance: f64,
 }
 
-/// The last speeds are below what 1 g leaves of the one before them.
+/// The last speeds are lower than a deceleration of 1 g from the one before them allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteepFall {
     /// (m/s²) deceleration from the sample before to the last, positive.
@@ -141,15 +142,15 @@ pub struct ImpactSpeed {
     pub stored: f64,
     /// Whether the brake was on then.
     pub brake: Option<bool>,
-    /// (m/s²) deceleration between the last two samples with a speed, positive where it slowed.
+    /// (m/s²) deceleration between the last two samples with a speed, positive if the vehicle slowed.
     pub deceleration: Option<f64>,
     /// (m/s) mean of the speed at impact.
     pub mean: f64,
     /// (m/s) its standard deviation.
     pub sd: f64,
-    /// What it comes from, in the order of the sources.
+    /// The parts of the error, in the order of the sources.
     pub parts: Vec<SpeedErrorPart>,
-    /// Where the last speeds fell by more than 1 g.
+    /// The steep fall, if the last speeds fell by more than 1 g.
     pub steep_fall: Option<SteepFall>,
     draws: Draws,
 }
@@ -158,7 +159,7 @@ pub struct ImpactSpeed {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{name} of the recorder's speed is {value}: write a number from {least} to {greatest}")]
 pub struct SpeedErrorOutOfRange {
-    /// Of which field.
+    /// The name of the field.
     pub name: &'static str,
     /// Its value.
     pub value: f64,
@@ -168,7 +169,7 @@ pub struct SpeedErrorOutOfRange {
     pub greatest: f64,
 }
 
-/// Why a record tells no speed at impact.
+/// Why a record gives no speed at impact.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ImpactSpeedFault {
     /// No sample has a speed.
@@ -210,7 +211,7 @@ impl ImpactSpeedErrors {
 
 /// (s) the time in which the brake comes on with the probability `brake_comes_on`.
 const HALF_SECOND: f64 = 0.5;
-/// (1) probability that a brake of which no sample tells was on.
+/// (1) probability that the brake was on if no sample shows its state.
 const UNKNOWN_BRAKE: f64 = 0.5;
 
 /// How the brake may have been used from a sample to t = 0.
@@ -259,8 +260,8 @@ fn brake_courses(record: &PreCrash, from: f64, errors: &ImpactSpeedErrors) -> Ve
     }
 }
 
-/// Those that go on from `first`, whose brake is known since the first of the times (s); only what is after
-/// the second counts.
+/// The courses that continue from `first`, whose brake is known since the first of the times (s); only the
+/// time after the second counts.
 fn courses_after(
     first: BrakeCourse,
     [mut since, from]: [f64; 2],
@@ -281,7 +282,7 @@ fn courses_after(
     if was_on {
         return vec![BrakeCourse { braked: course.braked + rest, ..course }];
     }
-    // The brake may have come on after the last sample that has it off.
+    // The brake may have come on after the last sample in which it is off.
     let later = comes_on(0.0 - since, errors);
     let comes = BrakeCourse { probability: course.probability * later, open: course.open + rest, ..course };
     vec![comes, BrakeCourse { probability: course.probability * (1.0 - later), ..course }]
@@ -293,7 +294,7 @@ struct Leg {
     stored: f64,
     /// (s) from the sample to t = 0.
     gap: f64,
-    /// (1) by how much of hard braking the wheels slip, 0 to 1: mean and variance.
+    /// (1) slip of the wheels as a share of that in hard braking, 0 to 1: mean and variance.
     hard: [f64; 2],
     /// How the brake may have been used; the probabilities add up to 1.
     courses: Vec<BrakeCourse>,
@@ -318,8 +319,8 @@ impl ImpactSpeedErrors {
     }
 }
 
-/// Mean and standard deviation of what slip takes off a stored speed (m/s), with mean and variance of the
-/// part of hard braking.
+/// Mean and standard deviation of the amount (m/s) by which slip lowers a stored speed, from mean and
+/// variance of the share of hard braking.
 fn slip(stored: f64, [hard, variance]: [f64; 2], errors: &ImpactSpeedErrors) -> [f64; 2] {
     let rolling = 1.0 - hard;
     let (low, steady) = (errors.slip_low, errors.steady_low * stored);
@@ -332,8 +333,8 @@ fn slip(stored: f64, [hard, variance]: [f64; 2], errors: &ImpactSpeedErrors) -> 
 }
 
 impl Leg {
-    /// Mean and variance (m/s) of what braking and coasting change after the age (s) of the stored speed, a
-    /// mean and a variance.
+    /// Mean and variance (m/s) of the change of speed by braking and coasting, for the age (s) of the stored
+    /// speed, given as a mean and a variance.
     fn change(&self, [age, age_variance]: [f64; 2], errors: &ImpactSpeedErrors) -> [f64; 2] {
         let ([brakes, brakes_variance], [coasts, coasts_variance]) =
             (uniform(errors.braking()), uniform(errors.coasting()));
@@ -359,7 +360,7 @@ impl Leg {
         let [slip, slip_sd] = slip(self.stored, self.hard, errors);
         let tyres = errors.tyre_sd * self.stored;
         let [gap, gap_variance] = self.change([0.0, 0.0], errors);
-        // Of the whole change, what is not of the gap alone is of the age.
+        // The part of the whole change that is not due to the gap alone is due to the age.
         let [whole, variance] = self.change(uniform([0.0, errors.latency]), errors);
         vec![
             part(SpeedErrorSource::Rounding, 0.0, errors.step * errors.step / 12.0),
@@ -370,7 +371,7 @@ impl Leg {
         ]
     }
 
-    /// The course of the brake at this part of all, and which part of that course it is.
+    /// The course of the brake at this cumulative probability, and the position within that course.
     fn course(&self, mut share: f64) -> (BrakeCourse, f64) {
         let mut chosen = (BrakeCourse { probability: 1.0, braked: 0.0, open: 0.0, is_on: false }, share);
         for course in self.courses.iter().filter(|course| course.probability > 0.0) {
@@ -395,7 +396,8 @@ impl Leg {
         let age = errors.latency * point[3];
         let (course, first) = self.course(point[4]);
         let braked = course.braked + course.open * point[6];
-        // The age belongs to what the driver did at the sample, which takes the finer of the two coordinates.
+        // The driver's action at the sample also lasts through the age, and takes the finer of the two
+        // coordinates.
         let (brakes, coasts, braked, coasted) = if course.is_on {
             (first, point[7], braked + age, self.gap - braked)
         } else {
@@ -408,8 +410,8 @@ impl Leg {
     }
 }
 
-/// (1) by how much of hard braking the wheels slip, mean and variance, by the switches of brake and ABS and
-/// by how much the stored speed fell (m/s²), if that is known.
+/// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of brake
+/// and ABS and from how fast the stored speed fell (m/s²), if that is known.
 fn slips([brake, abs]: [Option<bool>; 2], slowed: Option<f64>, errors: &ImpactSpeedErrors) -> [f64; 2] {
     let hard = errors.friction * GRAVITY;
     match (abs, slowed) {
@@ -427,19 +429,19 @@ fn slips([brake, abs]: [Option<bool>; 2], slowed: Option<f64>, errors: &ImpactSp
     }
 }
 
-/// How fast a vehicle was when a sample was stored.
+/// The speed of a vehicle when a sample was stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleSpeed {
     /// (s) time of the sample, negative before the impact.
     pub time: f64,
-    /// (m/s) the speed that was stored, with what the wheels slipped on average.
+    /// (m/s) the stored speed, corrected for the average slip of the wheels.
     pub speed: f64,
-    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is left
-    /// aside.
+    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is ignored.
     pub sd: f64,
 }
 
-/// The first of the samples at the end whose speeds are all below what 1 g leaves of the one before them.
+/// The first of the samples at the end whose speeds are all lower than 1 g from the sample before them
+/// allows.
 fn first_fallen(points: &[(&PreCrashSample, f64)], step: f64) -> Option<usize> {
     let limits = SpeedLimits::stored_in(step);
     let is_below = |(one, first): (&PreCrashSample, f64), (other, later): (&PreCrashSample, f64)| {
@@ -448,8 +450,8 @@ fn first_fallen(points: &[(&PreCrashSample, f64)], step: f64) -> Option<usize> {
     (1..points.len()).find(|k| points[*k..].iter().all(|later| is_below(points[k - 1], *later)))
 }
 
-/// How fast the vehicle was at each sample with a speed, the earliest first; where several at the end show
-/// wheels that slip, at those before. What the age of a stored speed does is left aside.
+/// The speed of the vehicle at each sample that has one, the earliest first. If several samples at the end
+/// show slipping wheels, only those before them count. The effect of the age of a stored speed is ignored.
 fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpeed> {
     let mut points: Vec<_> = record.speeds().collect();
     if let Some(fallen) = first_fallen(&points, errors.step).filter(|fallen| fallen + 1 < points.len()) {
@@ -461,7 +463,7 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
         let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
         let [slip, slip_sd] = slip(*stored, slips([sample.brake, sample.abs], slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
-        // A vehicle that stood has nothing that slips.
+        // The wheels of a vehicle that stood did not slip.
         let moved = if *stored > 0.0 { 1.0 } else { 0.0 };
         SampleSpeed {
             time: sample.time,
@@ -472,11 +474,11 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
     samples.collect()
 }
 
-/// (–) standard deviations by which a speed at the impact may differ from the recorder's for its samples to
-/// err likewise; one that differs by more does so for another reason.
+/// (–) largest difference, in standard deviations, between a speed at the impact and the recorder's that the
+/// errors of the samples explain; the rest of a larger one has another reason.
 const MOST_SHARED: f64 = 2.0;
 
-/// How a vehicle came to the impact, by the samples that its recorder stored before.
+/// The approach of a vehicle to the impact, by the samples that its recorder stored before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledApproach {
     /// Its speed at each sample, the earliest first.
@@ -496,7 +498,7 @@ impl SampledApproach {
     }
 
     /// (–) mean and standard deviation of the error that the samples share, in standard deviations of each,
-    /// where the speed at the impact (m/s) is known: slip and tyres are a part of what that one is off by.
+    /// if the speed at the impact (m/s) is known: slip and tyres are a part of the error of the recorder's.
     #[must_use]
     pub fn shared_error(&self, at_impact: f64) -> [f64; 2] {
         let [mean, sd] = self.at_impact;
@@ -509,7 +511,7 @@ impl SampledApproach {
     }
 }
 
-/// How many points stand for the distribution.
+/// Number of points that represent the distribution.
 const POINTS: u32 = 2048;
 
 impl ImpactSpeed {
@@ -522,7 +524,7 @@ impl ImpactSpeed {
         errors.check()?;
         let points: Vec<_> = record.speeds().collect();
         let (last, stored) = *points.last().ok_or(ImpactSpeedFault::NoSpeed)?;
-        // (m/s²) how much the speed fell to the sample at this place.
+        // (m/s²) how fast the speed fell to the sample at this place.
         let fall = |k: usize| {
             let [(one, first), (two, second)] = [points[k.checked_sub(1)?], points[k]];
             Some((first - second) / (two.time - one.time))
@@ -558,7 +560,8 @@ impl ImpactSpeed {
         self.draws.quantile(probability)
     }
 
-    /// (m/s) the interval that holds the speed with this probability, as much of the rest on either side.
+    /// (m/s) the interval that contains the speed with this probability, with half of the rest on either
+    /// side.
     #[must_use]
     pub fn interval(&self, probability: f64) -> [f64; 2] {
         let tail = 0.5 * (1.0 - probability);
@@ -578,7 +581,7 @@ fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart>
             let sum = |of: fn(&SpeedErrorPart) -> f64| -> f64 {
                 each.iter().map(|(weight, _, parts)| weight * of(&parts[k])).sum()
             };
-            // Zero has no sign, on no machine.
+            // Zero has no sign on any machine.
             let shift = sum(|p| p.shift) + 0.0;
             SpeedErrorPart { source: part.source, shift, variance: sum(|p| p.variance) }
         })

@@ -1,4 +1,4 @@
-//! What an event data recorder says of a collision.
+//! The data of an event data recorder on a collision: reading and evaluation.
 //!
 //! ```
 //! use recorder::{ImpactSpeed, ImpactSpeedErrors, PreCrash, SpeedLimits, read_tables};
@@ -24,19 +24,18 @@
 //! ```
 //!
 //! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s, each column
-//! recognised by its heading and unit, each cell without a value told with its place; [`read_rows`] chooses a
-//! record of NHTSA's long tables. [`PreCrash`] is what
-//! was stored before the impact, with the distance between samples within [`DistanceBounds`]; [`ImpactSpeed`]
-//! the speed at t = 0 as a distribution, of which [`SpeedErrorPart`] says what comes from where;
-//! [`CrashPulse`] is ΔV over time, with its beginning and end by [`PulseRule`]; [`match_records`] says which
-//! record is of which impact.
+//! recognised by its heading and unit, each cell without a value reported with its place; [`read_rows`]
+//! chooses a record of NHTSA's long tables. [`PreCrash`] holds the samples before the impact, with the
+//! distance between them within [`DistanceBounds`]; [`ImpactSpeed`] is the speed at t = 0 as a distribution,
+//! with a [`SpeedErrorPart`] for each source of its error; [`CrashPulse`] is ΔV over time, with its beginning
+//! and end by a [`PulseRule`]; [`match_records`] matches records with impacts.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `step` | | step in which speeds are stored | m/s |
 //! | `gap` | g | from the last sample to t = 0 | s |
 //! | `latency` | ℓ | age of a stored speed | s |
-//! | `slip_low` | | what slip takes off the speed in hard braking | m/s |
+//! | `slip_low` | | reduction of the stored speed by slip in hard braking | m/s |
 //! | `deceleration` | f | greatest fall of the speed between samples | m/s² |
 //!
 //! # Guarantees
@@ -48,8 +47,8 @@
 //!
 //! # What it does not do
 //!
-//! It reads no proprietary binary file, and knows no case: lateral signs and yaw rates stay in the sense of
-//! the recorder until the caller turns them.
+//! It reads no proprietary binary file, and knows no case: lateral values and yaw rates keep the sign
+//! convention of the recorder until the caller converts them.
 
 mod channel;
 mod impact_speed;

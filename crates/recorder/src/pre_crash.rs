@@ -1,9 +1,9 @@
-//! What a recorder stored before the impact, and the distance travelled between its samples.
+//! The data that a recorder stored before the impact, and the distance travelled between its samples.
 
 use crate::channel::{Channel, GRAVITY};
 use crate::table::{RecorderTable, TableColumn};
 
-/// What a recorder stored at one time.
+/// The data that a recorder stored for one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PreCrashSample {
     /// (s) time, negative before the impact.
@@ -20,9 +20,9 @@ pub struct PreCrashSample {
     pub throttle: Option<f64>,
     /// (rev/min) engine speed.
     pub engine_speed: Option<f64>,
-    /// (rad) steering wheel, in the sense that the recorder has.
+    /// (rad) steering wheel, in the sense of the recorder.
     pub steering: Option<f64>,
-    /// (rad/s) yaw rate, in the sense that the recorder has.
+    /// (rad/s) yaw rate, in the sense of the recorder.
     pub yaw_rate: Option<f64>,
 }
 
@@ -46,13 +46,13 @@ fn step_of(column: &TableColumn) -> Option<f64> {
     (speeds.peek().is_some() && speeds.all(is_whole)).then_some(column.unit.factor)
 }
 
-/// Why samples are no record before an impact.
+/// Why samples are not a record before an impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PreCrashFault {
     /// No sample at all.
     #[error("the record has no sample")]
     NoSample,
-    /// A time or a value that is no number.
+    /// A time or a value that is not a number.
     #[error("sample {sample}: a time, speed or other value is not a finite number")]
     NotFinite {
         /// From 1.
@@ -143,7 +143,7 @@ pub struct DistanceBounds {
 }
 
 impl SpeedLimits {
-    /// The usual ones, of speeds stored to the nearest `step` (m/s).
+    /// The usual limits, for speeds stored to the nearest `step` (m/s).
     #[must_use]
     pub fn stored_in(step: f64) -> Self {
         Self { rounding: 0.5 * step, ..Self::default() }
@@ -315,7 +315,7 @@ impl PreCrash {
     }
 
     /// Where the speed changes between two samples by more than the limits allow. The bounds then let it
-    /// change there at any instant, and hold it to the limit of the other sense alone.
+    /// change there at any instant, and apply only the limit in the other sense.
     #[must_use]
     pub fn steep_changes(&self, limits: &SpeedLimits) -> Vec<SteepChange> {
         let points: Vec<(f64, f64)> = self.speeds().map(|(sample, speed)| (sample.time, speed)).collect();

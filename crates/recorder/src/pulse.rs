@@ -12,8 +12,8 @@ pub struct PulseSample {
     pub time: f64,
     /// (m/s) ΔV along the vehicle, positive forward.
     pub longitudinal: Option<f64>,
-    /// (m/s) ΔV across the vehicle, positive to the right as recorders have it (SAE J1733), unless it was
-    /// turned.
+    /// (m/s) ΔV across the vehicle, positive to the right as in recorders (SAE J1733), unless its sign was
+    /// changed.
     pub lateral: Option<f64>,
 }
 
@@ -24,16 +24,16 @@ pub struct CrashPulse {
     padded_from: Option<f64>,
 }
 
-/// Why samples are no pulse.
+/// Why samples are not a pulse.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PulseFault {
     /// Fewer than two samples with a ΔV.
     #[error("a pulse needs two samples with a ΔV, and has {found}")]
     TooFew {
-        /// How many there are.
+        /// Their number.
         found: usize,
     },
-    /// A value that is no number.
+    /// A value that is not a number.
     #[error("sample {sample}: a time or ΔV is not a finite number")]
     NotFinite {
         /// From 1.
@@ -51,7 +51,7 @@ pub enum PulseFault {
     },
 }
 
-/// By which rule a pulse begins and ends.
+/// The rule for the beginning and the end of a pulse.
 ///
 /// Annex E of ISO/TR 12353-3:2013 computes `t_0` and `t_end` by methods A, B and C; its text is not public,
 /// so that the rules here have names of their own. [`PulseRule::Change`] is that of 49 CFR 563.5 and UN R160.
@@ -67,17 +67,17 @@ pub enum PulseRule {
     },
     /// The impact lasts as long as the acceleration, averaged over 20 ms, is above this one (m/s²).
     Acceleration(f64),
-    /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the rebound
-    /// of the vehicles from each other is lost in what follows.
+    /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the effect
+    /// of the vehicles' rebound is lost in the motion that follows.
     GreatestDeltaV,
 }
 
 impl PulseRule {
-    /// That of 49 CFR 563.5: 0.8 km/h in 20 ms.
+    /// The rule of 49 CFR 563.5: 0.8 km/h in 20 ms.
     pub const CHANGE: Self = Self::Change { change: 0.8 / 3.6, window: WINDOW };
-    /// 2 g, which no tyre has.
+    /// 2 g, which no tyre reaches.
     pub const TWO_G: Self = Self::Acceleration(2.0 * GRAVITY);
-    /// All three, in the order in which a report has them.
+    /// All three, in the order of a report.
     pub const ALL: [Self; 3] = [Self::CHANGE, Self::TWO_G, Self::GreatestDeltaV];
 
     /// In words.
@@ -101,10 +101,10 @@ impl PulseRule {
     }
 }
 
-/// The part of a record that is of the impact.
+/// The part of a record that belongs to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PulseSpan {
-    /// By which rule.
+    /// The rule.
     pub rule: PulseRule,
     /// (s) where the impact begins.
     pub start: f64,
@@ -117,7 +117,7 @@ pub struct PulseSpan {
 }
 
 impl PulseSpan {
-    /// (m/s) resultant of what was recorded.
+    /// (m/s) resultant of the recorded components.
     #[must_use]
     pub fn resultant(&self) -> f64 {
         let [x, y] = self.delta_v.map(|part| part.unwrap_or(0.0));
@@ -142,8 +142,9 @@ pub fn force_direction([along, to_the_right]: [f64; 2]) -> f64 {
 }
 
 impl CrashPulse {
-    /// A pulse of these samples. Those without a ΔV are dropped, and the zeros with which a recorder filled
-    /// up what it did not store; of two axes of which one ends before the other, the other goes on alone.
+    /// A pulse of these samples. Samples without a ΔV are dropped, as are the zeros with which a recorder
+    /// padded the part that it did not store. If one of two axes ends before the other, the other continues
+    /// alone.
     ///
     /// # Errors
     ///
@@ -160,7 +161,7 @@ impl CrashPulse {
             }
             before = one.time;
         }
-        // A recorder of one axis has nothing on the other; of one with both, a sample needs both.
+        // A recorder with one axis has no values for the other; with both axes, a sample needs both.
         let has =
             |of: fn(&PulseSample) -> Option<f64>| samples.iter().filter(|one| of(one).is_some()).count() >= 2;
         let (along, across) = (has(|one| one.longitudinal), has(|one| one.lateral));
@@ -209,7 +210,8 @@ impl CrashPulse {
         Self::new(table.times().into_iter().enumerate().map(sample).collect())
     }
 
-    /// One pulse of the tables of both axes: at the times of `self`, with what `other` has between its own.
+    /// One pulse from the tables of both axes: at the times of `self`, with the values of `other`
+    /// interpolated.
     #[must_use]
     pub fn with(&self, other: &Self) -> Self {
         let at = |time: f64, of: fn(&PulseSample) -> Option<f64>| {
@@ -231,14 +233,14 @@ impl CrashPulse {
         }
     }
 
-    /// (s) from when on the record has nothing but zeros with which the recorder filled it up, if it has;
-    /// they are no samples.
+    /// (s) the time from which the record only has zeros with which the recorder padded it, if there are any;
+    /// they do not count as samples.
     #[must_use]
     pub fn padded_from(&self) -> Option<f64> {
         self.padded_from
     }
 
-    /// (s) the last time at which both axes have a ΔV, if one of them goes on alone.
+    /// (s) the last time at which both axes have a ΔV, if one of them continues alone.
     #[must_use]
     pub fn alone_from(&self) -> Option<f64> {
         let has_both = |one: &PulseSample| one.longitudinal.is_some() && one.lateral.is_some();
@@ -246,8 +248,8 @@ impl CrashPulse {
         (last + 1 < self.samples.len()).then(|| self.samples[last].time)
     }
 
-    /// (s) from when to when ΔV stands still by the rule of 49 CFR 563.5 before it changes by more than
-    /// 2 km/h again: between two impacts, or in one with a pause.
+    /// (s) beginning and end of a time in which ΔV is constant by the rule of 49 CFR 563.5 before it changes
+    /// by more than 2 km/h again: between two impacts, or in one with a pause.
     #[must_use]
     pub fn pause(&self) -> Option<[f64; 2]> {
         let active = self.active(PulseRule::CHANGE);
@@ -288,8 +290,8 @@ impl CrashPulse {
         self.samples.windows(2).map(of_pair).collect()
     }
 
-    /// The time of each sample (s), with the principal direction of force of ΔV until then (rad), where ΔV is
-    /// at least `least` (m/s): of less the rounding decides.
+    /// The time of each sample (s), with the principal direction of force of ΔV until then (rad), if ΔV is at
+    /// least `least` (m/s): for a smaller ΔV, rounding dominates.
     #[must_use]
     pub fn force_directions(&self, least: f64) -> Vec<(f64, f64)> {
         let direction = |one: &PulseSample| {
@@ -299,8 +301,8 @@ impl CrashPulse {
         self.samples.iter().filter_map(direction).collect()
     }
 
-    /// Which steps between samples are in a time of `window` (s) in which ΔV changes by more than `change`
-    /// (m/s).
+    /// Whether each step between samples lies in a time of `window` (s) in which ΔV changes by more than
+    /// `change` (m/s).
     fn changing(&self, change: f64, window: f64) -> Vec<bool> {
         let steps = self.samples.len() - 1;
         let mut active = vec![false; steps];
@@ -315,7 +317,7 @@ impl CrashPulse {
         active
     }
 
-    /// Which steps between samples are of the impact.
+    /// Whether each step between samples belongs to the impact.
     fn active(&self, rule: PulseRule) -> Vec<bool> {
         match rule {
             // Over a window, too: between two samples 10 ms apart, rounding to 1 km/h alone is 2.8 g.
@@ -325,8 +327,9 @@ impl CrashPulse {
         }
     }
 
-    /// The part of the record that is of the impact: from the first of its steps that change ΔV to where they
-    /// end by the rule, for the first time by that of 49 CFR 563.5. `None` if none changes it.
+    /// The part of the record that belongs to the impact: from the first step that changes ΔV to the end of
+    /// these steps by the rule, which is their first end by that of 49 CFR 563.5. `None` if no step changes
+    /// ΔV.
     #[must_use]
     pub fn span(&self, rule: PulseRule) -> Option<PulseSpan> {
         let active = self.active(rule);
@@ -343,8 +346,7 @@ impl CrashPulse {
             }),
             _ => last,
         };
-        // A maximum that lies before the end of the record is one, if ΔV then falls by more than it is
-        // rounded.
+        // A maximum before the end of the record counts if ΔV then falls by more than its rounding.
         let past = self.change(first, end) - self.change(first, self.samples.len() - 1);
         let complete = match rule {
             PulseRule::GreatestDeltaV => ends_within || (end < self.samples.len() - 1 && past > TURNED),
@@ -359,18 +361,18 @@ impl CrashPulse {
     }
 
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
-    /// 563.5, or the recorder filled up what follows with zeros. Its ΔV is then a lower bound.
+    /// 563.5, or the recorder padded the rest with zeros. Its ΔV is then a lower bound.
     #[must_use]
     pub fn is_cut(&self) -> bool {
         self.padded_from.is_some() || self.active(PulseRule::CHANGE).last() == Some(&true)
     }
 }
 
-/// (m/s) 5 km/h: ΔV does not fall from more to 0 from one sample to the next, to stay there.
+/// (m/s) 5 km/h: a larger ΔV does not fall to 0 from one sample to the next and stay there.
 const LEAST_PADDED: f64 = 5.0 / 3.6;
 
-/// Which sample is the first of the zeros with which a recorder fills up a record that it could not finish:
-/// two at least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
+/// The index of the first of the zeros with which a recorder pads a record that it could not finish: two at
+/// least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
 fn padding(samples: &[PulseSample]) -> Option<usize> {
     let size = |one: &PulseSample| {
         let [x, y] = [one.longitudinal, one.lateral].map(|part| part.unwrap_or(0.0));
@@ -384,8 +386,9 @@ fn padding(samples: &[PulseSample]) -> Option<usize> {
     (falls && zeros >= 2).then_some(last + 1)
 }
 
-/// (s) the time in which a pulse changes or does not: that of 49 CFR 563.5.
+/// (s) the time within which a pulse is tested for a change: that of 49 CFR 563.5.
 const WINDOW: f64 = 0.02;
 
-/// (m/s) 2 km/h, twice the step in which ΔV is stored: by so much ΔV has to fall after a maximum that is one.
+/// (m/s) 2 km/h, twice the step in which ΔV is stored: ΔV has to fall by this much after a maximum for it to
+/// count.
 const TURNED: f64 = 2.0 / 3.6;

@@ -1,4 +1,5 @@
-//! What was read from a text: columns, what each heading was taken for, and what a cell did not say.
+//! The tables read from a text: columns, the quantities for which their headings were taken, and cells
+//! without a value.
 
 use std::fmt;
 
@@ -19,7 +20,7 @@ impl fmt::Display for TextPlace {
     }
 }
 
-/// How a text holds its table.
+/// The layout of a table in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextLayout {
     /// Fields with this character between them.
@@ -36,7 +37,7 @@ pub enum TextLayout {
     Transposed,
     /// A value in each row, as in the tables of NHTSA.
     Long,
-    /// Columns that stand apart.
+    /// Separate columns, each a text.
     Columns,
 }
 
@@ -63,19 +64,19 @@ impl TextLayout {
 /// A column of a table, read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableColumn {
-    /// As the text has it.
+    /// As in the text.
     pub heading: String,
-    /// What it was taken for.
+    /// The quantity for which it was taken.
     pub channel: Channel,
     /// The unit of the numbers that were read.
     pub unit: ChannelUnit,
-    /// Of the heading.
+    /// The place of the heading.
     pub place: TextPlace,
-    /// (SI) one for each row, `None` where the cell says none.
+    /// (SI) one for each row, `None` if the cell has none.
     pub values: Vec<Option<f64>>,
 }
 
-/// (s) times that differ by less are one.
+/// (s) times that differ by less are the same.
 const SAME_TIME: f64 = 1e-6;
 
 /// The row of a time among times that rise.
@@ -89,9 +90,9 @@ fn row_at(times: &[f64], at: f64) -> Option<usize> {
 pub enum NoValue {
     /// It is empty.
     Empty,
-    /// A word that says so: `Invalid`, `SNA`.
+    /// A word that means no value: `Invalid`, `SNA`.
     Word(String),
-    /// A number with which a recorder says that it has none: 255.
+    /// A number by which a recorder means no value: 255.
     Code(String),
     /// Beyond what a recorder stores.
     OutOfRange {
@@ -131,7 +132,7 @@ impl fmt::Display for NoValue {
 /// A cell without a value, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CellDoubt {
-    /// Where it stands.
+    /// Its place.
     pub place: TextPlace,
     /// Its column.
     pub channel: Channel,
@@ -148,9 +149,9 @@ impl fmt::Display for CellDoubt {
 /// A table of a recorder: times rise, values are SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderTable {
-    /// How the text holds it.
+    /// Its layout in the text.
     pub layout: TextLayout,
-    /// Those recognised, the time first.
+    /// The recognised columns, the time first.
     pub columns: Vec<TableColumn>,
     /// The place of the time of each row.
     pub rows: Vec<TextPlace>,
@@ -177,14 +178,15 @@ impl RecorderTable {
         time.map(|column| column.values.iter().flatten().copied().collect()).unwrap_or_default()
     }
 
-    /// (SI) the values of a channel, all `None` where the table has no such column.
+    /// (SI) the values of a channel, all `None` if the table has no such column.
     #[must_use]
     pub fn values(&self, channel: Channel) -> Vec<Option<f64>> {
         let rows = self.columns.first().map_or(0, |column| column.values.len());
         self.column(channel).map_or_else(|| vec![None; rows], |column| column.values.clone())
     }
 
-    /// The headings that were read, with what they were taken for, and those that were not, in words.
+    /// The headings that were read, with the quantities for which they were taken, and those that were not,
+    /// in words.
     #[must_use]
     pub fn headings(&self) -> String {
         let read =
@@ -197,7 +199,7 @@ impl RecorderTable {
         words
     }
 
-    /// The columns beside the times.
+    /// The columns other than the times.
     fn quantities(&self) -> impl Iterator<Item = &TableColumn> {
         self.columns.iter().filter(|column| column.channel != Channel::Time)
     }
@@ -214,15 +216,16 @@ impl RecorderTable {
         !self.is_pulse() && self.times().last().is_some_and(|last| *last <= 0.0)
     }
 
-    /// Whether another table is of the same record: it has other quantities, or goes on where this one ends.
+    /// Whether another table is of the same record: it has other quantities, or continues where this one
+    /// ends.
     #[must_use]
     pub fn goes_with(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(Self::times);
         !self.shares_a_quantity(other) || own.last() < others.first() || others.last() < own.first()
     }
 
-    /// Takes in a table of the same record, at the times of both. Without a value is a column at the times of
-    /// the other table alone.
+    /// Merges a table of the same record, at the times of both. A column has no value at times that only the
+    /// other table has.
     pub fn join(&mut self, other: Self) {
         let [own, others] = [&*self, &other].map(Self::times);
         let mut rows: Vec<(f64, TextPlace)> = own.iter().copied().zip(self.rows.iter().copied()).collect();
@@ -251,7 +254,7 @@ impl RecorderTable {
         self.sort();
     }
 
-    /// Names the quantities of a table that is not read among those that are not.
+    /// Lists the quantities of a table that is not used among the ignored ones.
     pub fn leave(&mut self, other: Self) {
         let headings = other.quantities().map(|column| (column.heading.clone(), column.place));
         self.ignored.extend(headings);
@@ -297,15 +300,15 @@ pub enum TextRefusal {
     NoTime {
         /// The first heading.
         heading: String,
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
     },
     /// Times without a quantity.
     #[error("{place}: no quantity other than the times was recognised{found}; known are {known}")]
     NoQuantity {
-        /// Of the heading of the times.
+        /// The place of the heading of the times.
         place: TextPlace,
-        /// The headings beside them, to follow the words before.
+        /// The other headings of the table, to follow the words before.
         found: String,
         /// Some headings.
         known: &'static str,
@@ -315,7 +318,7 @@ pub enum TextRefusal {
     NoRows {
         /// The heading.
         heading: String,
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
     },
     /// A heading with no unit, or with an unknown one.
@@ -325,11 +328,11 @@ pub enum TextRefusal {
     Unit {
         /// The heading.
         heading: String,
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
-        /// What it was taken for.
+        /// The quantity for which it was taken.
         channel: &'static str,
-        /// Those that it may have.
+        /// The units that it may have.
         units: String,
     },
     /// A list of values without a unit, or with an unknown one.
@@ -337,21 +340,21 @@ pub enum TextRefusal {
         "{place}: these values have no unit that is known for a {channel}: write one of {units} after the last"
     )]
     UnitOfList {
-        /// Of the list.
+        /// The place of the list.
         place: TextPlace,
-        /// What it is of.
+        /// Its quantity.
         channel: &'static str,
-        /// Those that it may have.
+        /// The units that it may have.
         units: String,
     },
-    /// As many values as headings are needed.
+    /// The number of values in a row differs from that of the headings.
     #[error("{place}: {found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
     Uneven {
-        /// Of the first value of the row.
+        /// The place of the first value of the row.
         place: TextPlace,
-        /// Values.
+        /// Number of values.
         found: usize,
-        /// Headings.
+        /// Number of headings.
         expected: usize,
         /// The headings.
         columns: String,
@@ -361,7 +364,7 @@ pub enum TextRefusal {
     SeveralRecords {
         /// The columns with several values, and these.
         records: String,
-        /// Rows of one.
+        /// The choice of one record.
         example: String,
     },
     /// No row with this value.
@@ -371,20 +374,20 @@ pub enum TextRefusal {
         name: String,
         /// The value.
         value: String,
-        /// Those that there are.
+        /// The values that there are.
         known: String,
     },
-    /// A column by which no rows are chosen.
+    /// A column by which rows cannot be chosen.
     #[error(
         "rows cannot be chosen by {name}; write one of {known} with its value, such as \"VEHNO 1, EDREVENTNO 2\""
     )]
     NoColumn {
         /// What was written.
         name: String,
-        /// The columns by which they are.
+        /// The columns by which they can be chosen.
         known: String,
     },
-    /// Rows of a table whose rows are times.
+    /// A choice of rows in a table whose rows are times.
     #[error(
         "`rows` chooses from a long table of NHTSA, with the columns PCODE, PTIME and PVALUE; this table is not one: leave `rows` out"
     )]
@@ -394,9 +397,9 @@ pub enum TextRefusal {
         "{place}: \"{text}\" is not a time; write the time of each row as a number, and leave a row without one out"
     )]
     TimeUnreadable {
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
-        /// What stands there.
+        /// The text there.
         text: String,
     },
     /// A time that no record of a crash has.
@@ -405,35 +408,35 @@ pub enum TextRefusal {
          goes; should the heading say ms?", range[0], range[1]
     )]
     TimeFar {
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
-        /// What stands there.
+        /// The text there.
         text: String,
         /// (unit of the heading) from where to where times can lie.
         range: [f64; 2],
     },
-    /// A time that the row before has, too.
+    /// A time that also appears in the row before.
     #[error("{place}: the time {time} s appears twice; leave out the row that is wrong")]
     TimeTwice {
-        /// Where it stands for the second time.
+        /// Its place the second time.
         place: TextPlace,
         /// (s) the time.
         time: f64,
     },
-    /// Two columns of one quantity that say different values.
+    /// Two columns of one quantity with different values.
     #[error("{place}: two columns give the {channel}, and disagree: {said}; leave out the one that is wrong")]
     Disagree {
-        /// Of the second value.
+        /// The place of the second value.
         place: TextPlace,
         /// The quantity.
         channel: &'static str,
         /// Both values with their headings.
         said: String,
     },
-    /// Times that turn.
+    /// Times that change from rising to falling, or the reverse.
     #[error("{place}: the time {time} s follows {before} s, where the times before it {sense}")]
     TimesTurn {
-        /// Where it stands.
+        /// Its place.
         place: TextPlace,
         /// (s) the time.
         time: f64,
@@ -445,7 +448,7 @@ pub enum TextRefusal {
 }
 
 impl TextRefusal {
-    /// Without its place, for who shows that otherwise.
+    /// The message without its place, for a caller that shows the place separately.
     #[must_use]
     pub fn message(&self) -> String {
         let whole = self.to_string();
@@ -455,7 +458,7 @@ impl TextRefusal {
         }
     }
 
-    /// Where in the text, if it is of a place.
+    /// Its place in the text, if it has one.
     #[must_use]
     pub fn place(&self) -> Option<TextPlace> {
         match self {

@@ -1,4 +1,4 @@
-//! Reads a recorder's table from text: CSV, or what one copies out of a printed report.
+//! Reads a recorder's table from text: CSV, or text copied out of a printed report.
 
 mod columns;
 mod delimited;
@@ -16,22 +16,22 @@ use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 ///
 /// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
 /// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
-/// row with the times across. A heading may be split over lines. Of `50 [81]` below `MPH [km/h]` the number
-/// in brackets is read, which is the stored one. Values are converted to SI, and times rise in what is
-/// returned.
+/// row with the times across. A heading may be split over lines. In `50 [81]` below `MPH [km/h]`, the number
+/// in brackets is read, which is the stored one. Values are converted to SI, and the returned times rise.
 ///
 /// # Errors
 ///
-/// [`TextRefusal`] says what is missing and where. A cell without a value does not refuse the table: it is
-/// `None` in its column and told in [`RecorderTable::doubts`].
+/// [`TextRefusal`] states what is missing and where. A table is not refused because of a cell without a
+/// value: that is `None` in its column and reported in [`RecorderTable::doubts`].
 pub fn read_tables(text: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
     read_rows(text, "")
 }
 
-/// As [`read_tables`], of the rows with these values: `VEHNO 1, EDREVENTNO 2`.
+/// As [`read_tables`], for the rows with these values: `VEHNO 1, EDREVENTNO 2`.
 ///
 /// That is for the long tables of NHTSA, EDRPRECRASH and EDRPOSTCRASH, in which each value has a row, and a
-/// file may hold several records. The columns `PCODE`, `PTIME` and `PVALUE` tell them from other texts.
+/// file may hold several records. The columns `PCODE`, `PTIME` and `PVALUE` distinguish them from other
+/// texts.
 ///
 /// # Errors
 ///
@@ -40,7 +40,7 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
     if text.trim().is_empty() {
         return Err(TextRefusal::Empty);
     }
-    // A mark of the order of bytes, and blanks that do not break, are of the word processor.
+    // A byte order mark and no-break spaces come from word processors.
     let text = text.trim_start_matches('\u{feff}').replace(['\u{a0}', '\u{202f}'], " ");
     if let Some(long) = long::tables(&text, rows)? {
         return long.into_iter().map(|(raw, doubts)| finish_with(raw, doubts)).collect();
@@ -67,7 +67,7 @@ fn no_heading(text: &str) -> TextRefusal {
     TextRefusal::NoHeading { begins: line.chars().take(BEGINNING).collect() }
 }
 
-/// The table in SI, with what was doubted before it.
+/// The table in SI, with the doubts from earlier steps.
 fn finish_with(raw: raw::RawTable, doubts: Vec<CellDoubt>) -> Result<RecorderTable, TextRefusal> {
     let mut table = raw::finish(raw)?;
     table.doubts.extend(doubts);
@@ -75,12 +75,12 @@ fn finish_with(raw: raw::RawTable, doubts: Vec<CellDoubt>) -> Result<RecorderTab
     Ok(table)
 }
 
-/// The table of columns that stand apart, each a text of values with their unit behind them: `"-1 -0.5 0 s"`,
-/// and without one for a switch, `"off on on"`.
+/// The table of separate columns, each a text of values followed by their unit, `"-1 -0.5 0 s"`, or without a
+/// unit for a switch, `"off on on"`.
 ///
 /// # Errors
 ///
-/// [`TextRefusal`] with the channel of which it is. Its place is one in the text of this channel.
+/// [`TextRefusal`] with its channel. Its place is in the text of this channel.
 pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Channel, TextRefusal)> {
     let raw = columns::table(columns);
     let of_time = raw.columns.iter().find(|(head, _)| head.channel == Channel::Time);

@@ -1,4 +1,4 @@
-//! Which record is of which impact, by direction, size and sequence.
+//! Matches records with impacts, by direction, size and sequence.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use real::principal_angle;
 
 use crate::pulse::force_direction;
 
-/// An impact as it is known without the recorder.
+/// The known data of an impact without the recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KnownImpact {
     /// (rad) principal direction of force, clockwise from the front of the vehicle.
@@ -16,27 +16,27 @@ pub struct KnownImpact {
     pub delta_v: Option<f64>,
 }
 
-/// A record of a recorder, as far as it tells impacts apart.
+/// The data of a record by which impacts are distinguished.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EventRecord {
-    /// (rad) principal direction of force of its ΔV; `None` if it has one axis alone.
+    /// (rad) principal direction of force of its ΔV; `None` if it has only one axis.
     pub force_direction: Option<f64>,
     /// (m/s) its ΔV.
     pub delta_v: Option<f64>,
-    /// Whether the record holds the whole impact. If not, ΔV is a lower bound.
+    /// Whether the record contains the whole impact. If not, ΔV is a lower bound.
     pub complete: bool,
 }
 
-/// (1) the least cosine of a direction to the axis of a recorder for which a ΔV along that axis tells the
-/// whole: of 60°.
+/// (1) the smallest cosine of the angle between a direction and the axis of a recorder for which the ΔV along
+/// that axis shows the whole ΔV: that of 60°.
 const LEAST_COSINE: f64 = 0.5;
 
 impl EventRecord {
     /// A record of these parts of ΔV (m/s), positive forward and to the right.
     ///
-    /// Of a recorder with one axis, the other part is taken to be that of the direction of this impact, or of
-    /// its mirror image if the sign is the other one. Where the direction is unknown, or more than 60° off
-    /// the axis, what was stored is a lower bound.
+    /// If the recorder has only one axis, the other part is assumed to be that of the direction of this
+    /// impact, or of its mirror image if the sign is opposite. If the direction is unknown, or more than 60°
+    /// off the axis, the stored value is a lower bound.
     #[must_use]
     pub fn new(delta_v: [Option<f64>; 2], complete: bool, impact: &KnownImpact) -> Self {
         let one_axis = |part: f64, axis: f64| {
@@ -93,12 +93,12 @@ pub enum Mismatch {
         /// (rad) by how much.
         difference: f64,
     },
-    /// The record's ΔV is so many times that of the impact.
+    /// The record's ΔV differs from that of the impact by a factor.
     Size {
-        /// (1) how many times.
+        /// (1) the ratio.
         ratio: f64,
     },
-    /// Neither differs by much, but the other records and impacts, in their order, fit so much better.
+    /// Neither differs by much, but the other records and impacts, in their order, then fit much better.
     Others,
 }
 
@@ -117,14 +117,14 @@ impl std::fmt::Display for Mismatch {
     }
 }
 
-/// What a record may be of.
+/// The impacts to which a record may belong.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordMatch {
     /// (1) probability of each impact.
     pub impacts: Vec<f64>,
     /// (1) probability that it is of none of them.
     pub none: f64,
-    /// For each impact, why the record cannot be of it: `Some` where its probability is below
+    /// For each impact, why the record cannot be of it: `Some` if its probability is below
     /// [`EXCLUDED`](Self::EXCLUDED), and only there.
     pub cannot: Vec<Option<Mismatch>>,
 }
@@ -137,7 +137,7 @@ impl RecordMatch {
     /// (1) and it is of the impact if the probability lies above this: 95 %.
     pub const CERTAIN: f64 = 0.95;
 
-    /// What a probability that a record is of an impact means, to follow "this record".
+    /// The meaning of a probability that a record is of an impact, in words that follow "this record".
     #[must_use]
     pub fn words(probability: f64) -> &'static str {
         match probability {
@@ -152,7 +152,7 @@ impl RecordMatch {
 
 /// (1) a difference of this many standard deviations is a reason.
 const NOTABLE: f64 = 2.0;
-/// (1) share of directions that are wrong by any angle: of mistakes in the coding.
+/// (1) share of directions that are wrong by any angle, due to mistakes in the coding.
 const ANY_DIRECTION: f64 = 0.02;
 /// (1) range of ln ΔV over which a record of none of the impacts lies: from 2 to 110 km/h.
 const SIZES: f64 = 4.0;
@@ -185,10 +185,10 @@ fn likelihood(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) 
     of_direction * of_size
 }
 
-/// Which of the impacts each record is of.
+/// The probability that each record is of each of the impacts.
 ///
-/// Impacts and records stand in the order of time. No two records are of one impact, and of two records the
-/// later is of the later impact; a record may be of none. Every such assignment is weighed.
+/// Impacts and records are in the order of time. No two records belong to one impact, the later of two
+/// records belongs to the later impact, and a record may belong to none. Every such assignment is weighed.
 #[must_use]
 pub fn match_records(
     records: &[EventRecord],

@@ -60,8 +60,8 @@ proptest! {
 proptest! {
     #![proptest_config(Config { cases: 20_000, failure_persistence: None, ..Config::default() })]
 
-    /// A speed that drops or jumps at one instant, and changes by 1 g at most otherwise: where the two
-    /// samples show that it did, the bounds hold.
+    /// A speed that drops or jumps at one instant, and changes by 1 g at most otherwise: if the two samples
+    /// show such a jump, the bounds hold.
     #[test]
     fn the_distance_lies_within_its_bounds_beyond_1_g(
         (first, accelerations) in traces(),
@@ -121,7 +121,8 @@ fn bounds_of_two_equal_speeds() {
     assert_eq!(braked.steep_changes(&limits), []);
 }
 
-/// A fall of 15 m/s in a second is no tyre's. It may have happened in the last instant, after a second of
+/// A fall of 15 m/s in a second is more than tyres can do. It may have happened in the last instant, after a
+/// second of
 /// 1 g forward from 20 m/s, or in the first, with 5 m/s at the end: from a standstill, as 5 < g, 5²/2g m.
 #[test]
 fn bounds_hold_where_the_speed_falls_by_more_than_g() {

@@ -51,7 +51,8 @@ Angle
 
 #[test]
 fn bosch_with_the_columns_in_another_order_than_the_values_is_told() {
-    // The brake's heading stands before that of the engine, its values behind them: no switch says 1,900.
+    // The brake's heading is before that of the engine, its values are behind the engine's: a switch cannot
+    // read 1,900.
     let table = one(BOSCH);
     let wrong: Vec<_> = table.doubts.iter().filter(|doubt| doubt.channel == Channel::Brake).collect();
     assert_eq!(wrong.len(), 5);
@@ -142,7 +143,7 @@ Delta-V, lateral
     let tables = read_tables(text).unwrap();
     assert_eq!(tables.len(), 2);
     assert_eq!(values(&tables[0], Channel::Time, 1.0), [0.0, 0.01, 0.02, 0.03, 0.04]);
-    // Of both units that with the finer step is read: a tenth of 1 km/h.
+    // The unit with the finer step of the two is read: a tenth of 1 km/h.
     let printed: Vec<f64> = values(&tables[0], Channel::DeltaVLongitudinal, KMH);
     assert_eq!(printed, [0.0, -2.0, -9.0, -16.0, -18.0]);
     assert_eq!(tables[0].ignored[0].0, "Delta-V, longitudinal (MPH)");
@@ -169,7 +170,8 @@ Engine RPM (RPM) 1,200 1,200 1,200 800 800 400
 
 #[test]
 fn toyota_with_times_across() {
-    // Volts of the pedal's sensor are no share of it: the row has a unit that is not known for it.
+    // The voltage of the pedal's sensor is not its position in per cent: the row has a unit that is not known
+    // for it.
     let error = read_tables(TOYOTA);
     let table = error.map_or_else(|error| panic!("{error}"), |mut tables| tables.remove(0));
     assert_eq!(table.layout, TextLayout::Transposed);
@@ -238,7 +240,8 @@ fn un_r160_out_of_a_pdf_with_tabs_commas_and_aligned_columns() {
         assert_eq!(values(&table, Channel::DeltaVLongitudinal, KMH), [0.0, -1.0]);
         assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0]);
     }
-    // A heading in quotes may run over lines, as spreadsheets write it; places are those of its first line.
+    // A heading in quotes may run over several lines, as in spreadsheets; its place is that of its first
+    // line.
     let broken = "\"Time\n(sec)\",\"Speed\n(km/h)\",Service Brake\n-1.0,50,Off\n-0.5,O.9,On\n0,45,On\n";
     let table = one(broken);
     assert_eq!(table.values(Channel::Speed)[0], Some(50.0 * KMH));
@@ -427,7 +430,7 @@ fn rows_of_several_records_or_of_none_are_refused() {
         let refusal = read_rows(text, rows).unwrap_err().to_string();
         assert!(refusal.contains(words), "{rows}: {refusal}");
     }
-    // A time twice in one record, and one that is none.
+    // A time that occurs twice in one record, and a cell that is not a time.
     let twice = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,-1.0,51");
     assert!(
         read_rows(&twice, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().starts_with("line 3, column 18")
@@ -478,7 +481,7 @@ fn headings_of_rules_and_reports_are_recognised() {
         ),
     ] {
         for heading in headings.split('|') {
-            // Beside it stands another quantity; the heading is in quotes, as it may have a comma.
+            // Next to it is another quantity; the heading is in quotes, as it may have a comma.
             let is_speed = matches!(channel, Channel::Speed | Channel::Other);
             let known = if is_speed { "Yaw rate (deg/s)" } else { "Speed (km/h)" };
             let text = format!("Time (s),{known},\"{heading}\"\n-1,1,1\n0,1,0\n");
@@ -491,7 +494,7 @@ fn headings_of_rules_and_reports_are_recognised() {
     }
 }
 
-/// A refusal says which headings there are, and which are known.
+/// A refusal lists the headings of the table, and the known ones.
 #[test]
 fn a_refusal_names_the_headings() {
     let refused = |text: &str| read_tables(text).unwrap_err().to_string();
@@ -512,8 +515,8 @@ fn a_refusal_names_the_headings() {
     );
 }
 
-/// Each row across has one value for each time, in text of every kind; empty cells behind the last are of
-/// nothing.
+/// Each row of a table with times across has one value for each time, in text of every kind; empty cells
+/// after the last belong to nothing.
 #[test]
 fn a_row_across_has_as_many_values_as_there_are_times() {
     let rows = [
@@ -535,8 +538,8 @@ fn a_row_across_has_as_many_values_as_there_are_times() {
     assert_eq!(table.values(Channel::Brake), [Some(0.0), Some(1.0), None]);
 }
 
-/// The heading that names a quantity with the fewest words beside its name is that of its column, wherever it
-/// stands, and one whose words deny it is of no quantity.
+/// The heading that names a quantity with the fewest other words is that of its column, wherever it is, and a
+/// heading whose words negate the quantity names none.
 #[test]
 fn the_surest_heading_is_read_whatever_the_order() {
     let speeds = "Relative velocity (m/s)|Lead vehicle speed (km/h)|GPS speed (km/h)|Maximum speed (km/h)|\
@@ -564,7 +567,7 @@ fn the_surest_heading_is_read_whatever_the_order() {
             }
         }
     }
-    // In flowing text the words before a name are of its heading, too.
+    // In flowing text the words before a name belong to its heading, too.
     let table = one("Time (s) Trailer speed (km/h) Vehicle speed (km/h) ABS\n-1 10 50 off\n0 20 40 on\n");
     assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 40.0]);
     assert_eq!(table.ignored[0].0, "Trailer speed (km/h)");
@@ -587,7 +590,7 @@ fn two_columns_of_one_quantity_agree_or_are_refused() {
     assert!(refusal.to_string().contains("on under \"ABS active\" and off under"), "{refusal}");
 }
 
-/// The axis of a velocity change stands anywhere in its heading, in all layouts.
+/// The axis of a velocity change may be anywhere in its heading, in all layouts.
 #[test]
 fn a_velocity_change_is_along_the_axis_that_its_heading_names() {
     let lateral = "Time (ms),Lateral Axis Recorded Velocity Change (MPH)\n10,0\n20,4\n30,13\n";
@@ -623,8 +626,8 @@ fn three(table: &RecorderTable) -> ([Option<f64>; 3], [Option<f64>; 3]) {
     (three(Channel::Speed, KMH), three(Channel::Brake, 1.0))
 }
 
-/// A row in which one cell has a mark, a unit or words is read, and a cell that says nothing told with its
-/// place: no row vanishes.
+/// A row in which one cell has a mark, a unit or words is read, and a cell without a value is reported with
+/// its place: no row vanishes.
 #[test]
 fn a_row_with_words_in_it_is_read() {
     const ON: Option<f64> = Some(1.0);
@@ -675,7 +678,7 @@ fn a_row_with_words_in_it_is_read() {
     let gear = "Time (sec) Vehicle Speed (km/h) Service Brake Gear\n-1.0 64 Off D\n-0.5 60 On N\n0 49 On N\n";
     assert_eq!(three(&one(gear)), whole);
     assert_eq!(one(gear).ignored[0].0, "Gear");
-    // What has too few cells for a row is refused, or told as a line that was not read.
+    // A line with too few cells for a row is refused, or reported as a line that was not read.
     let heading = "Time (sec) Vehicle Speed (km/h) Service Brake\n-1.0 64 Off\n";
     let refusal = read_tables(&format!("{heading}-0.5 60 On or Off or Fault\n0 49 On\n")).unwrap_err();
     assert_eq!(refusal.place().map(|place| place.line), Some(3), "{refusal}");
@@ -693,7 +696,7 @@ fn a_row_with_words_in_it_is_read() {
     assert_eq!(values(&one(units), Channel::DeltaVLateral, KMH), [0.0, 1.0]);
 }
 
-/// With the times across, a quantity with words among its values is read, and an unknown one is told.
+/// With the times across, a quantity with words among its values is read, and an unknown word is reported.
 #[test]
 fn a_row_across_with_words_in_it_is_read() {
     let text = "Time (sec) -1.0 -0.5 0\nVehicle Speed (km/h) 64 60 49\nABS Off Engaged Fault\n\
@@ -714,7 +717,7 @@ fn a_row_across_with_words_in_it_is_read() {
     assert_eq!(heading(Channel::AccelerationLongitudinal), "Longitudinal Acceleration, VSC Sensor (m/sec^2)");
 }
 
-/// A column of text whose words are unknown is one that is not read, and no reason to read nothing.
+/// A column of text with unknown words is not read, but the others are.
 #[test]
 fn a_column_of_unknown_words_refuses_no_table() {
     let text = "Time (sec),Vehicle Speed (km/h),Service Brake,Gear Position\n\
@@ -728,13 +731,13 @@ fn a_column_of_unknown_words_refuses_no_table() {
     }
     let ruled = "| Time (s) | Speed (km/h) | Brake |\n|---|---|---|\n| -1 | 64 | Off |\n| -0.5 | 60 | On |\n| 0 | 49 | On |\n";
     assert_eq!(three(&one(ruled)), whole);
-    // Across, a word among values is a cell that says nothing, also the first.
+    // Across, a word among values is a cell without a value, even the first.
     let across = "Time (s),-1,-0.5,0\nSpeed (km/h),64,60,Fault\nBrake,Fault,On,On\nGear,Drive,Drive,Drive\n";
     let table = one(across);
     assert_eq!(three(&table), ([Some(64.0), Some(60.0), None], [None, Some(1.0), Some(1.0)]));
     assert_eq!(table.doubts.len(), 2);
     assert_eq!(table.ignored[0].0, "Gear");
-    // A time that is none is told, and a footer with a comma begins no table.
+    // A cell that is not a time is reported, and a footer with a comma does not begin a table.
     let typo = text.replace("-0.5,", "-O.5,");
     assert_eq!(
         read_tables(&typo).unwrap_err().to_string(),
@@ -742,7 +745,7 @@ fn a_column_of_unknown_words_refuses_no_table() {
     );
     let footer = text.replace("0,49", "Page 5, of 22\n0,49");
     assert_eq!(three(&one(&footer)), whole);
-    // A share of the greatest angle is no angle.
+    // A percentage of the greatest angle is not an angle.
     let share = one("Time (s) Speed (km/h) Brake Steering angle (%)\n-1 64 off 5\n-0.5 60 on 5\n0 49 on 5\n");
     assert_eq!(three(&share), whole);
     assert_eq!(share.ignored[0].0, "Steering angle (%)");
@@ -766,7 +769,7 @@ fn seconds_before_algorithm_enable_are_times() {
     }
 }
 
-/// A minus that stands apart is one value more, which is said.
+/// A minus with a space behind it makes one value too many, which is reported.
 #[test]
 fn an_uneven_row_names_the_headings_and_a_minus_that_stands_apart() {
     let text = "Time (s) Vehicle Speed (km/h) Wheel Speed FL (km/h)\n- 1.0 50 49\n- 0.5 47 46\n";
@@ -797,7 +800,8 @@ fn tables_of_one_record_are_joined_by_their_times() {
         let first = if text.starts_with(pedals) { 2 } else { 6 };
         assert_eq!(table.rows[1].line, first + 1);
     }
-    // One that goes on where the other ends is of the same record, and one at the same times is of another.
+    // A table that continues where the other ends is of the same record, and one with the same times is of
+    // another.
     let later = "Times (sec) Vehicle Speed (km/h)\n0.5 40\n1.0 30\n";
     let [mut one, two] = [one(speeds), one(later)];
     assert!(one.goes_with(&two) && two.goes_with(&one) && !two.is_before_impact() && !one.goes_with(&one));

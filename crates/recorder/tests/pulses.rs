@@ -1,4 +1,4 @@
-//! Where a pulse begins and ends, and what of it is at the center of gravity.
+//! Where a pulse begins and ends, and its ΔV at the center of gravity.
 
 use proptest::prelude::{Strategy, any, prop, prop_assert, prop_assert_eq, proptest};
 use proptest::test_runner::Config;
@@ -56,7 +56,7 @@ fn a_record_that_ends_within_the_impact_is_a_lower_bound() {
     assert_eq!(flat.unwrap().span(PulseRule::CHANGE), None);
 }
 
-/// A last digit that flickers after the impact is no impact: it ends where ΔV no longer changes.
+/// A last digit that flickers after the impact is not an impact: it ends where ΔV no longer changes.
 #[test]
 fn a_flickering_digit_does_not_prolong_an_impact() {
     let stored =
@@ -102,7 +102,7 @@ fn pulse(along: &[f64], across: &[f64]) -> CrashPulse {
     CrashPulse::new((0..along.len().max(across.len())).map(sample).collect()).unwrap()
 }
 
-/// From −28 km/h to 0 in 10 ms and no more: 79 g the other way, and then nothing. The zeros are no ΔV.
+/// From −28 km/h to 0 in 10 ms and no more: 79 g the other way, and then nothing. The zeros are not a ΔV.
 #[test]
 fn zeros_that_fill_up_a_record_are_no_samples() {
     let stored = [0.0, -2.0, -7.0, -13.0, -20.0, -25.0, -28.0];
@@ -120,7 +120,7 @@ fn zeros_that_fill_up_a_record_are_no_samples() {
             .unwrap()
             .complete
     );
-    // A ΔV that returns to 0 by itself, and a last digit that does.
+    // A ΔV that really returns to 0, and one whose last digit does.
     for whole in
         [&[0.0, -8.0, -12.0, -9.0, -5.0, -2.0, 0.0, 0.0, 0.0][..], &[0.0, -1.0, -2.0, -2.0, 0.0, 0.0]]
     {
@@ -157,7 +157,8 @@ fn an_axis_that_ends_early_does_not_end_the_other() {
     assert_eq!(CrashPulse::new((0..8).map(sample).collect()).unwrap().samples().len(), 7);
 }
 
-/// 10 km/h, 60 ms of nothing, and 20 more: the rule of 49 CFR 563.5 ends at the pause, the others hold both.
+/// 10 km/h, 60 ms of nothing, and 20 more: the rule of 49 CFR 563.5 ends at the pause, the others include
+/// both.
 #[test]
 fn a_pause_in_a_pulse_is_told() {
     let two = [
@@ -174,7 +175,7 @@ fn a_pause_in_a_pulse_is_told() {
     let [from, to] = two.pause().unwrap();
     assert!((from - 0.06).abs() < 1e-12 && (to - 0.09).abs() < 1e-12, "{from} {to}");
     assert_eq!(half_sine(50.0 * KMH, 0.03, 0.01, 0.25).pause(), None);
-    // A last digit that flickers is no second impact.
+    // A last digit that flickers is not a second impact.
     let flickers =
         [0.0, -6.0, -18.0, -30.0, -40.0, -40.0, -40.0, -40.0, -40.0, -41.0, -40.0, -40.0, -40.0, -40.0];
     assert_eq!(pulse(&flickers, &[]).pause(), None);
@@ -182,8 +183,8 @@ fn a_pause_in_a_pulse_is_told() {
 
 #[test]
 fn delta_v_at_the_center_is_less_the_rotation() {
-    // A recorder 1 m ahead of the center, hit so that the vehicle turns by 3 rad/s to the left: it gets 3 m/s
-    // more to the left than the center.
+    // A recorder 1 m ahead of the center, and an impact that turns the vehicle at 3 rad/s to the left: its ΔV
+    // to the left is 3 m/s greater than the center's.
     assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [1.0, 0.0]), [-5.0, 2.0]);
     // 1 m to the left of the center, the rotation takes 3 m/s off the forward speed of the recorder.
     assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [0.0, 1.0]), [-2.0, 5.0]);
@@ -213,7 +214,7 @@ fn what_is_no_pulse_is_refused() {
     );
 }
 
-/// Crash 29357: a record of 9 km/h, where common velocity asks for 71.
+/// Crash 29357: a record of 9 km/h, where a common velocity would need 71.
 #[test]
 fn a_record_of_another_impact_is_none_of_this() {
     let errors = MatchErrors::default();
@@ -252,7 +253,8 @@ fn records_are_matched_in_order() {
     // Nothing known: of one record and two impacts each is as likely.
     let blank = match_records(&[EventRecord::default()], &[KnownImpact::default(); 2], &errors).remove(0);
     assert!((blank.impacts[0] - 0.45).abs() < 1e-12 && (blank.none - 0.1).abs() < 1e-12, "{blank:?}");
-    // Two records the wrong way round cannot both be of their impact: the order decides that one is of none.
+    // Two records the wrong way round cannot both be of their impact: because of the order, one of them must
+    // belong to no known impact.
     let turned = match_records(&[records[1], records[0]], &impacts, &errors);
     assert!(turned[0].impacts[1] + turned[1].impacts[0] < 1.02, "{turned:?}");
 }
@@ -309,8 +311,8 @@ proptest! {
     }
 }
 
-/// From behind instead of from the front, with the very size: 0.9 · L / (0.9 · L + 0.1) with
-/// L = 0.02 · 4/(0.45 √(2π)) is 39 %, which is no "cannot".
+/// From behind instead of from the front, with exactly the same size: 0.9 · L / (0.9 · L + 0.1) with
+/// L = 0.02 · 4/(0.45 √(2π)) is 39 %, which is not a "cannot".
 #[test]
 fn a_reversed_direction_alone_excludes_nothing() {
     let impact = KnownImpact { force_direction: Some(0.0), delta_v: Some(40.0 * KMH) };
@@ -341,7 +343,8 @@ fn a_record_of_one_axis_is_seen_in_the_direction_of_the_impact() {
     assert!((pushed.force_direction.unwrap().to_degrees() - 150.0).abs() < 1e-9, "{pushed:?}");
     let struck = EventRecord::new([None, Some(along)], true, &at(60.0));
     assert!((struck.force_direction.unwrap().to_degrees() + 60.0).abs() < 1e-9, "{struck:?}");
-    // Of an impact from 80° the longitudinal part tells little, and without a direction nothing tells more.
+    // For an impact from 80° the longitudinal part shows little, and without a direction no more can be
+    // known.
     for impact in [at(80.0), KnownImpact::default()] {
         let bound = EventRecord::new([Some(-along), None], true, &impact);
         assert_eq!((bound.force_direction, bound.complete), (None, false));

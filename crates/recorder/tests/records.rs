@@ -31,7 +31,7 @@ fn every_record_before_an_impact_is_read_or_refused() {
     let mut silent = 0;
     for (name, text) in &all {
         let tables = read_tables(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        // What is stored is what is printed, to the last sample.
+        // The stored values are the printed ones, to the last sample.
         let printed = text.lines().skip(1).filter(|line| line.split(',').nth(3) != Some("")).count();
         let record = PreCrash::from_table(&tables[0]).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(record.speeds().count(), printed, "{name}");
@@ -107,7 +107,8 @@ fn the_record_that_was_coded_as_of_the_event_is_found() {
     let names: Vec<&str> = pairs.lines().next().unwrap().split(',').collect();
     let mut counted = 0;
     for line in pairs.lines().skip(1) {
-        // Names of models have commas in quotes: in every second part between quotes a comma is a letter.
+        // Names of models have commas in quotes: in every second part between quotes a comma is part of the
+        // text.
         let parts = line.split('"').enumerate();
         let plain: String = parts
             .map(|(k, part)| if k % 2 == 1 { part.replace(',', " ") } else { part.to_owned() })

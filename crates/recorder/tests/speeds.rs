@@ -73,7 +73,7 @@ fn braking_with_a_gap_is_that_of_a_simulation() {
             draws[k]
         );
     }
-    // The account is of all of the variance, and of all that the mean is moved by.
+    // The parts add up to the whole variance, and to the whole shift of the mean.
     let whole: f64 = found.parts.iter().map(|part| part.variance).sum();
     assert!((whole.sqrt() / sd - 1.0).abs() < 0.01, "{whole} {sd}");
     // The age alone: Var(a (g + ℓ)) − Var(a) g², by the same draws.
@@ -167,7 +167,7 @@ fn locked_wheels_are_no_stop() {
             found.mean
         );
     }
-    // A wheel that grips again tells the speed again: 18 km/h in a second is hard braking.
+    // A wheel that grips again shows the speed again: 18 km/h in a second is hard braking.
     let again = locked([80.0, 80.0, 62.0, 20.0, 44.0]);
     assert_eq!(again.steep_fall, None);
     assert!((again.mean - 44.0 * KMH).abs() < 1.0);
@@ -246,7 +246,7 @@ fn the_brake_in_the_gap_is_that_of_a_simulation() {
         let [mean, sd] = simulated(-brakes[0].0, course);
         assert!((found.mean - mean).abs() < 0.02, "{brakes:?}: {} {mean}", found.mean);
         assert!((found.sd / sd - 1.0).abs() < 0.015, "{brakes:?}: {} {sd}", found.sd);
-        // The account adds up, unless some of the draws stop at a standstill.
+        // The parts add up, unless some of the draws come to a standstill.
         if brakes[0].0 > -1.5 {
             let whole: f64 = found.parts.iter().map(|part| part.variance).sum();
             let shift: f64 = found.parts.iter().map(|part| part.shift).sum();
@@ -275,7 +275,7 @@ fn a_brake_that_is_off_up_to_the_impact_takes_nothing_off() {
 
 /// Slip goes by the deceleration before the last sample, whatever the switch says: 12 km/h in half a second
 /// are 6.67 m/s², of which 1 m/s² is the engine: 5.67 of 6.35 m/s², so 0.892 · 3 + 0.108 · 0.84 = 2.77 km/h.
-/// Of a single sample with the brake on nothing is known: half of hard braking, 1.5 + 0.28 = 1.78 km/h.
+/// A single sample with the brake on shows no deceleration: half of hard braking, 1.5 + 0.28 = 1.78 km/h.
 #[test]
 fn slip_goes_by_the_deceleration_before_the_last_sample() {
     let shift = |samples: &[(f64, f64, Option<bool>)]| {

@@ -1,4 +1,4 @@
-//! A case to a report as text and a plan view as SVG: what a program of one's own needs of the whole
+//! From a case to a report as text and a plan view as SVG: all that a program of one's own needs of the
 //! workspace.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]

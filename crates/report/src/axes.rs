@@ -2,7 +2,7 @@
 
 use case::Axes;
 
-/// Where y points.
+/// The direction in which y points.
 pub(crate) fn side_of_y(axes: Axes) -> &'static str {
     match axes {
         Axes::ZUp => "left",

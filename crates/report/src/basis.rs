@@ -40,7 +40,7 @@ pub(crate) fn work_of_share(share: f64) -> String {
     work(if share == 0.0 { Basis::Dissipated } else { Basis::TangentialShare(share) })
 }
 
-/// The part of the tangential work that the crush takes: `50 % of the tangential work`.
+/// The part of the tangential work that the crush absorbs: `50 % of the tangential work`.
 pub(crate) fn share(basis: Basis) -> Option<String> {
     match basis {
         Basis::TangentialShare(share) => Some(format!("{} of the tangential work", percent(share))),

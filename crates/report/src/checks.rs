@@ -10,7 +10,7 @@ use crate::{basis, words};
 /// All checks of the analysis; `None` without any. A warning below explains each failed one.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
-    // Where momentum gives both speeds, its comparison of the energies has the errors of both.
+    // If momentum gives both speeds, its own comparison of the energies takes account of the errors of both.
     let is_of_momentum = |check: &Check| matches!(check.quantity, CheckedQuantity::MomentumEnergy { .. });
     let has_momentum = analysis.checks.iter().any(is_of_momentum);
     let is_twice =
@@ -23,8 +23,8 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     (!table.rows.is_empty()).then_some(table)
 }
 
-/// How far the first of two energies is from the second: as a factor, or in per cent where it has the other
-/// sign.
+/// How far the first of two energies is from the second: as a factor, or in per cent if the first is not
+/// positive.
 fn apart(one: f64, other: f64) -> String {
     if one > 0.0 {
         format!("× {}", number(one.max(other) / one.min(other), 1))
@@ -33,7 +33,7 @@ fn apart(one: f64, other: f64) -> String {
     }
 }
 
-/// (–) the same for a greatest relative difference from the second energy, upward or downward.
+/// (–) the same for a maximum relative difference from the second energy, upward or downward.
 fn limit_factor(is_more: bool, difference: f64) -> f64 {
     if is_more { 1.0 + difference } else { 1.0 / (1.0 - difference) }
 }

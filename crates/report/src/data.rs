@@ -29,7 +29,7 @@ fn title(case: &Case) -> &str {
     case.title.as_ref().map_or("", Text::as_given)
 }
 
-/// The results of a case, with what reproduces them: the program and the file.
+/// The results of a case, with the program and the file that reproduce them.
 #[derive(Serialize)]
 struct Identified<'a, T> {
     /// The file of a case among several.
@@ -80,7 +80,7 @@ fn pretty(document: &impl Serialize) -> Result<String, serde_json::Error> {
     Ok(escaped(&serde_json::to_string_pretty(document)?) + "\n")
 }
 
-/// A list of JSON, an element for each.
+/// A JSON list with one element for each item.
 fn list<T, R>(of: impl IntoIterator<Item = T>, element: impl FnMut(T) -> R) -> Vec<R> {
     of.into_iter().map(element).collect()
 }
@@ -90,13 +90,13 @@ fn on_one_line(document: &impl Serialize) -> Result<String, serde_json::Error> {
     Ok(escaped(&serde_json::to_string(document)?) + "\n")
 }
 
-/// JSON on which a terminal does not act: `serde_json` escapes the control characters below U+0020 alone. All
-/// others can only be within its texts, where an escape means the same.
+/// JSON on which a terminal does not act: `serde_json` escapes only the control characters below U+0020. All
+/// others can only occur within its texts, where an escape means the same.
 fn escaped(json: &str) -> String {
     escaped_where(json, |letter| letter != '\n' && case::acts(letter))
 }
 
-/// Equivalent JSON with escapes for these letters, which are within its texts alone.
+/// Equivalent JSON with escapes for these letters, which occur only within its texts.
 pub(crate) fn escaped_where(json: &str, is_escaped: impl Fn(char) -> bool) -> String {
     let mut out = String::with_capacity(json.len());
     for letter in json.chars() {

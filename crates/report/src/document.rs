@@ -15,7 +15,7 @@ use crate::words;
 #[derive(Clone, Debug)]
 pub struct Document {
     pub(crate) blocks: Vec<Block>,
-    /// (columns) of a line of text: the fewest that its tables need, and the most that they use.
+    /// (columns) of a line of text: the smallest number that its tables need, and the largest that they use.
     pub(crate) columns: [usize; 2],
 }
 
@@ -38,7 +38,7 @@ pub(crate) enum Block {
         found: Vec<String>,
         how: String,
     },
-    /// The number of warnings; they stand under this heading.
+    /// The number of warnings, which are listed under this heading.
     Notice {
         count: String,
         heading: Option<&'static str>,
@@ -123,14 +123,14 @@ pub(crate) struct Column {
     pub(crate) width: Width,
 }
 
-/// What the cells of a column are.
+/// The kind of cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cells {
     /// Left-aligned.
     Words,
     /// Right-aligned.
     Numbers,
-    /// Bars of characters, in which every blank counts.
+    /// Bars made of characters, in which every blank counts.
     Bars,
 }
 
@@ -256,7 +256,7 @@ impl Document {
         self.blocks.extend(tables.into_iter().map(Block::Table));
     }
 
-    /// A chart, which is drawn only where it is shown, without a table that says the same.
+    /// A chart, which is drawn only if it is shown, without an equivalent table.
     pub(crate) fn chart(
         &mut self,
         name: impl Into<String>,
@@ -270,7 +270,7 @@ impl Document {
         self.push(Block::Title { title: words::title(case), source });
     }
 
-    /// A document that has the title of a case as yet.
+    /// A new document with only the title of a case.
     ///
     /// ```
     /// let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;

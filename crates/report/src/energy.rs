@@ -10,13 +10,13 @@ pub(crate) fn share(work: f64, energy: &Energy) -> String {
     format!("{} %", number(100.0 * work / energy.before, 1))
 }
 
-/// What a reader who adds up the printed figures has to know.
+/// Notes for a reader who adds up the printed figures.
 pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
     let Some(exchange) = analysis.exchange() else { return Vec::new() };
     let energy = &exchange.energy;
     let mut notes = Vec::new();
     let printed = |si: f64| units.format(Measure::Energy, si);
-    // A rounded zero is no work.
+    // A zero after rounding counts as no work.
     if printed(energy.tangential_work).starts_with('-') {
         let is_warned =
             analysis.warnings.iter().any(|seen| matches!(seen.warning(), Warning::SlidingDriven { .. }));

@@ -15,10 +15,10 @@ pub(crate) use self::contradiction::{contradictions, p_value};
 use crate::units::{Measure, Units, number, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 
-/// What a reader asked an estimate for.
+/// A reader's request for an estimate.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    /// The plan by which it was made.
+    /// The plan of the estimate.
     pub plan: EstimatePlan,
     /// Probabilities to report.
     pub questions: Vec<Question>,
@@ -33,7 +33,7 @@ pub struct Question {
     pub limit: f64,
 }
 
-/// The places of the intervals of 50, 80, 90 and 95 % in a summary.
+/// The indices of the intervals of 50, 80, 90 and 95 % in a summary.
 pub(crate) const HALF: usize = 0;
 pub(crate) const EIGHTY: usize = 1;
 pub(crate) const NINETY: usize = 2;
@@ -42,7 +42,7 @@ pub(crate) const WIDEST: usize = {
     3
 };
 
-/// (SI) the ends of the interval at such a place.
+/// (SI) the ends of the interval with such an index.
 pub(crate) fn ends(summary: &DrawsSummary, place: usize) -> [f64; 2] {
     let interval = &summary.intervals[place];
     [interval.low.value, interval.high.value]
@@ -68,7 +68,8 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
     } else {
         format!("{interval} {unit}")
     };
-    // A reader would take the median of such a wide interval down to zero for a speed that was found.
+    // A reader would take the median of such a wide interval, which starts at zero, for a speed that was
+    // found.
     let is_far_below = low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value);
     match (found.is_told(), is_far_below) {
         (true, true) => format!("{range} (95 %)"),
@@ -80,7 +81,7 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
 /// (–) if an interval begins at zero and ends above this many times the median, only its end is shown.
 const FAR_ABOVE: f64 = 4.0;
 
-/// Whether the unknown number is a factor on what its key names.
+/// Whether the unknown number is a factor on the value that its key names.
 pub(crate) fn is_factor(unknown: &UnknownNumber) -> bool {
     matches!(unknown.assumed, Some(Assumed::Ground | Assumed::Drag))
 }
@@ -171,7 +172,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
     })
 }
 
-/// The error of crush energies, and the factor by which they are multiplied before.
+/// The error of crush energies, and the factor by which they are multiplied first.
 fn crush_error(observed: &Observed) -> Option<String> {
     let CrushErrors([one, two]) = observed.crush?;
     let [first, second] = VehicleId::ALL.map(|id| observed.shared_ln_sd(id));
@@ -245,7 +246,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
     words
 }
 
-/// The error of what object `id` took, which is not that of the crush.
+/// The error of the energy that object `id` absorbed, which is not that of the crush.
 fn object_words(estimated: &Estimated, id: VehicleId) -> String {
     let key = format!("vehicle{id}.deformation_energy");
     let has_range = estimated.unknown.iter().any(|unknown| unknown.key == key);
@@ -263,7 +264,7 @@ fn object_words(estimated: &Estimated, id: VehicleId) -> String {
     )
 }
 
-/// The key of the case that gives the error of a piece; `None` where the case cannot.
+/// The key of the case that gives the error of a piece; `None` if no key can.
 pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     Some(match piece.piece {
         Piece::Severity | Piece::Limits(_) => return None,

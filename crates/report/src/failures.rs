@@ -58,7 +58,7 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
     }
 }
 
-/// What excludes every collision, and what to change.
+/// The evidence that excludes every collision, and what to change.
 fn excluded(impossible: &Impossible) -> String {
     let limits = |piece: &Piece| matches!(piece, Piece::Limits(_));
     let what = match impossible.culprits.as_slice() {

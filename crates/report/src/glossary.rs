@@ -10,7 +10,7 @@ const GLOSSARY: &str = include_str!("../glossary.md");
 pub struct Topic {
     /// The term that it explains.
     pub name: &'static str,
-    /// The heading that it stands under.
+    /// Its heading.
     pub group: &'static str,
     /// Other names: symbols, keys of the case file, codes of warnings.
     pub aliases: Vec<&'static str>,
@@ -40,9 +40,9 @@ impl Topic {
     suggestions(nearest)
 )]
 pub struct UnknownTopic {
-    /// What was asked for.
+    /// The word that was looked up.
     pub word: String,
-    /// What may have been meant, the likeliest first.
+    /// Names that may have been meant, the most likely first.
     pub nearest: Vec<&'static str>,
 }
 
@@ -84,8 +84,8 @@ fn parsed(glossary: &'static str) -> Vec<Topic> {
     topics
 }
 
-/// The topic of a term, a symbol, a key of the case file or the code of a warning. Capitals count only where
-/// names differ by them alone; a symbol may have the number of a vehicle, `E_1`, and a key its whole path,
+/// The topic of a term, a symbol, a key of the case file or the code of a warning. Capitals count only if
+/// names differ in nothing else; a symbol may have the number of a vehicle, `E_1`, and a key its whole path,
 /// `vehicle1.crush.depths[2]`.
 ///
 /// ```
@@ -111,7 +111,8 @@ pub fn topic(word: &str) -> Result<&'static Topic, UnknownTopic> {
         .ok_or_else(|| UnknownTopic { word: word.chars().take(60).collect(), nearest: nearest(word) })
 }
 
-/// The word as it may stand in the glossary: whole, without vehicle and place in a list, and a key alone.
+/// The forms in which the glossary may have the word: whole, without vehicle and place in a list, and the
+/// last part of a key.
 fn forms(word: &str) -> Vec<String> {
     let mut forms = vec![word.to_owned()];
     let path = word.split('[').next().unwrap_or_default();
@@ -167,7 +168,7 @@ fn nearest(word: &str) -> Vec<&'static str> {
     nearest
 }
 
-/// The words of a text in small letters, a space before and after each, so that no name is found within
+/// The words of a text in lower case, with a space before and after each, so that no name is found within
 /// another word.
 fn words(text: &str) -> String {
     let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '–' | '\'');

@@ -19,8 +19,8 @@
 //! [`warnings`] alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
 //! Programs get the same as data in SI units and radians, with stable keys: [`json`], [`comparison_json`] and
-//! so on. For many cases, [`Csv`] writes a line each for a spreadsheet, and [`jsonl_row`] for a program;
-//! [`write_samples`] writes the samples of an uncertainty.
+//! so on. For many cases, [`Csv`] writes one line each for a spreadsheet, and [`jsonl_row`] one line each for
+//! a program; [`write_samples`] writes the samples of an uncertainty.
 //!
 //! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All use the
 //! [`Axes`](case::Axes) of the case, which each document names, and the [`Units`] of the reader. Results are
@@ -40,7 +40,7 @@
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
-//! estimate, [`estimate_pictures`] all of these below each other, [`computed_against_measured`] and
+//! estimate, [`estimate_pictures`] all of these one below the other, [`computed_against_measured`] and
 //! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
 //! judgement by recorders.
 //!
@@ -50,8 +50,8 @@
 //!
 //! # What it does not do
 //!
-//! It computes nothing that the analysis does not hold, except for the intermediate sums of a step. It uses
-//! no terminal and no files.
+//! It computes nothing that is not in the analysis, except for the intermediate sums of a step. It uses no
+//! terminal and no files.
 //!
 //! # Inside
 //!

@@ -1,4 +1,4 @@
-//! A report with the program in it: the page of the program, which embeds the report as it was handed over.
+//! A live report: the page of the program with the report embedded as it was handed over.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -21,7 +21,7 @@ pub enum NotLive {
         "this is not the page deltav.html: it has no place for a report; take the one that belongs to the program"
     )]
     NoSlot,
-    /// It does not say which engine is in it.
+    /// It does not name the engine in it.
     #[error(
         "this is not the page deltav.html: it does not say which engine is in it; take the one that belongs to the program"
     )]
@@ -92,7 +92,7 @@ mod tests {
         CaseFile::parse("cases/my case.toml", text).unwrap()
     }
 
-    /// What a browser takes for the text of the script: everything up to the first end of an element.
+    /// The text of the script as a browser reads it: everything up to the first end of an element.
     fn filled(live: &str) -> Value {
         let (_, rest) = live.split_once("id=\"deltav-live\">").unwrap();
         let (json, after) = rest.split_once("</script").unwrap();
@@ -133,7 +133,7 @@ mod tests {
         assert_eq!(live(&page().repeat(2), "", &file), Err(NotLive::NoSlot));
         assert_eq!(live(&page().replace("deltav-engine", "engine"), "", &file), Err(NotLive::NoEngine));
         assert_eq!(live(&page().replace("ba78", "ba7\"8"), "", &file), Err(NotLive::NoEngine));
-        // A report once put in is not overwritten.
+        // A report that is already in the page is not overwritten.
         let once = live(&page(), "", &file).unwrap();
         assert_eq!(live(&once, "", &file), Err(NotLive::NoSlot));
     }

@@ -70,7 +70,7 @@ pub(crate) fn estimate_name(estimate: EstimatedInput) -> String {
     }
 }
 
-/// What a kind of number is printed in.
+/// The measure in which a kind of number is printed.
 pub(crate) fn printed(kind: Kind) -> Measure {
     match kind {
         Kind::Ratio => Measure::Ratio,
@@ -90,7 +90,7 @@ pub(crate) fn printed(kind: Kind) -> Measure {
 pub(crate) fn output_name(output: Output) -> String {
     let row = output.quantity();
     let of = match output.vehicle() {
-        // With "marks begin of vehicle 1", it would be the marks of another.
+        // "marks begin of vehicle 1" would sound like the marks of another vehicle.
         Some(vehicle) if output.is(&SKID_SPEED) => {
             return format!("Speed of vehicle {vehicle} where its skid begins");
         }
@@ -109,7 +109,7 @@ pub(crate) fn output_name(output: Output) -> String {
     format!("{first}{}{of}{along}", letters.as_str())
 }
 
-/// The quantity as which an output is printed, a speed in the unit of the equations.
+/// The measure in which an output is printed; a speed is in the unit of the equations.
 pub(crate) fn output_quantity(output: Output) -> Measure {
     printed(output.quantity().kind)
 }
@@ -122,7 +122,7 @@ pub(crate) fn pictured(output: Output) -> Measure {
     }
 }
 
-/// An output and its unit, as an axis or a row is called.
+/// An output and its unit: the label of an axis or a row.
 pub(crate) fn label(output: Output, measure: Measure, units: Units) -> String {
     let name = output_name(output);
     match units.name(measure) {

@@ -1,5 +1,5 @@
-//! The results one by one, each with its equation and the numbers put into it: what a reader with a
-//! calculator can check.
+//! The results one by one, each with its equation and the numbers put into it, so that a reader with a
+//! calculator can check them.
 //!
 //! All numbers of a substitution are in coherent units of the reader, SI or ft, lb, s and slug, and in
 //! degrees, except for numbers of the file that it converts, and in the axes of the case: the equations hold
@@ -30,11 +30,11 @@ pub struct Step {
     pub name: String,
     /// Its symbol, such as `E_1`; `_` begins a subscript.
     pub symbol: String,
-    /// The equation's right side in symbols; empty where the value is given or solved for, and where the
-    /// symbol itself is the equation.
+    /// The equation's right side in symbols; empty if the value is given or solved for, or if the symbol
+    /// itself is the equation.
     pub formula: String,
     /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space.
-    /// Empty where the value is given or solved for.
+    /// Empty if the value is given or solved for.
     pub substitution: String,
     /// The program's own result, in `unit`.
     pub value: f64,
@@ -49,8 +49,8 @@ pub struct Step {
     quantity: Option<Measure>,
     /// The number of the file that it repeats; it needs no equation if it has the unit of the equations.
     input: Option<Quantity>,
-    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
-    /// value without one, where it comes from: `input`, or a table.
+    /// The source of the equation: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
+    /// value without an equation, the source of the value: `input`, or a table.
     pub source: &'static str,
 }
 
@@ -87,8 +87,8 @@ impl Step {
     }
 }
 
-/// The quantity that has the unit in most steps. Intermediate sums, such as an area, have no other unit
-/// anywhere.
+/// The quantity that has this unit in most steps. Intermediate sums, such as an area, only ever have the unit
+/// of the equations.
 fn quantity(unit: &str) -> Option<Measure> {
     Some(match unit {
         "m/s" => Measure::Speed,
@@ -174,7 +174,7 @@ fn course(case: &Case, k: VehicleId) -> (f64, String) {
     (course, if is_ahead { format!("θ_{k}") } else { format!("(θ_{k} + β_{k})") })
 }
 
-/// A number of the case or of a table, as the equations use it.
+/// A number of the case or of a table, in the unit of the equations.
 fn given(
     name: impl Into<String>,
     symbol: impl Into<String>,

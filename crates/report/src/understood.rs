@@ -1,5 +1,5 @@
-//! A case as the program understood it, in words: ranges, units, choices, and what is assumed where the file
-//! says nothing.
+//! A case as the program understood it, in words: ranges, units, choices, and the assumptions for values that
+//! the file does not give.
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
@@ -27,7 +27,7 @@ pub(crate) fn amount(number: f64, unit: Option<&'static Unit>) -> String {
     unit.map_or_else(|| number.to_string(), |unit| format!("{number} {unit}"))
 }
 
-/// The customary unit of a quantity in a system; smaller for depths and widths of damage than for other
+/// The customary unit of a quantity in a system; depths and widths of damage have a smaller unit than other
 /// lengths.
 fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static str {
     let (si, us) = match dimension {
@@ -66,7 +66,7 @@ pub(crate) fn converted(input: &Input, system: UnitSystem) -> (f64, Option<&'sta
     }
 }
 
-/// Six digits are more than any input has, and trailing zeros say nothing.
+/// Six digits are more than any input has, and trailing zeros are meaningless.
 pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
     // Via the text with six digits: the shortest decimal that reads back the same has no trailing zeros and
     // no exponent.
@@ -75,7 +75,7 @@ pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
     unit.map_or_else(|| digits.clone(), |unit| format!("{digits} {unit}"))
 }
 
-/// Every number that the file gives, also those that cannot vary.
+/// Every number that the file gives, even those that cannot vary.
 pub(crate) fn numbers(case: &Case) -> Vec<Input> {
     let values = case.values().into_iter().filter_map(|(path, value)| match value {
         GivenValue::Number { number, unit } => Some(Input { path, number, unit, origin: Origin::Given }),
@@ -132,8 +132,8 @@ pub(crate) fn list_of(path: &str) -> Option<&str> {
     Some(path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
-/// Whether a text stands at the head of a report, beside the number that it is about, or in a table that is
-/// told by what was recognised in it.
+/// Whether a text is shown elsewhere: at the head of a report, next to the number that it is about, or with
+/// what was recognised in a table.
 fn is_of_head(path: &str) -> bool {
     let key = path.rsplit('.').next().unwrap_or_default();
     let is_table = |word: &str| key == word || path.contains(&format!(".{word}."));
@@ -158,7 +158,7 @@ fn clock_degrees(hour: u8) -> i32 {
     }
 }
 
-/// What is assumed, in words.
+/// The assumption in words.
 pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
     match assumption {
         Assumption::ZUp => {

@@ -14,7 +14,7 @@ use crate::units::{FOOT, Measure, Units, number};
 use crate::words::quoted;
 use crate::{axes, basis, words};
 
-/// Where to read more about a warning.
+/// The reference to further information on a warning.
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
                     brackets.";
 
@@ -54,7 +54,7 @@ pub(crate) fn of_answer(seen: &Seen, weighed: Option<&Weighed>, is_exact: bool) 
     [of_answer, aside]
 }
 
-/// Names the evidence that an answer does not use, where there is any.
+/// Names the evidence that an answer does not use, if there is any.
 pub(crate) fn left_aside(keys: &[String], can_be_weighed: bool) -> Option<Block> {
     let words = || {
         let keys = quoted(keys, ", ");
@@ -81,7 +81,7 @@ pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) ->
     Some(Block::Notice { count, heading })
 }
 
-/// How far `uncertainty` moves a contact point that was placed: along the face and across it.
+/// The spread of a placed contact point in the samples of `uncertainty`: along the face and across it.
 fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> String {
     let by = |spread: ContactSpread| match spread {
         ContactSpread::Default(sd) => {
@@ -692,7 +692,7 @@ fn side_name(side: Side) -> &'static str {
 /// Why a tangential impulse drives the sliding (m/s), and what to do.
 fn drive(cause: Drive, sliding: f64, units: Units) -> String {
     let speed = |si: f64| units.speed(si);
-    // The impulse opposes the sliding where it has the other sign.
+    // The impulse opposes the sliding if it has the other sign.
     let opposes = if sliding > 0.0 { "negative" } else { "positive" };
     match cause {
         Drive::RatioAlong { impulse_ratio } => format!(

@@ -1,5 +1,5 @@
-//! Names for what the engines distinguish, and words for stiffnesses and speeds, for all that writes a
-//! document.
+//! Names for the distinctions of the engines, and words for stiffnesses and speeds, for everything that
+//! writes a document.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub(crate) fn pass(pass: &Pass, units: Units) -> String {
     format!("{miss}{}", turned.unwrap_or_default())
 }
 
-/// The name of a case file without its folders, which do not concern its recipient.
+/// The name of a case file without its folders, which do not concern the recipient of a report.
 pub(crate) fn file_name(name: &Text) -> Text {
     let last = Path::new(name.as_given()).file_name().and_then(OsStr::to_str);
     last.map_or_else(|| name.clone(), Text::from)
@@ -50,12 +50,13 @@ pub(crate) fn find_names(find: Find) -> String {
     }
 }
 
-/// Whether the offset of damage is counted from the vehicle's axis, and not from beside its CG.
+/// Whether the offset of damage is counted from the vehicle's axis, rather than from a point level with its
+/// CG.
 pub(crate) fn is_end(side: Side) -> bool {
     matches!(side, Side::Front | Side::Rear)
 }
 
-/// Where the middle of a damage without an offset lies.
+/// The position of the middle of a damage without an offset.
 pub(crate) fn undisplaced(side: Side) -> &'static str {
     if is_end(side) { "on the vehicle's axis" } else { "beside the centre of gravity" }
 }
@@ -74,7 +75,7 @@ pub(crate) fn kind_name(kind: VehicleKind) -> &'static str {
     }
 }
 
-/// How the damage of a vehicle is known: the value of the JSON key `crush_source`.
+/// The source of a vehicle's damage: the value of the JSON key `crush_source`.
 pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
     match (&vehicle.damage, &vehicle.subject.energy) {
         (Some(damage), _) if damage.inferred.is_some() => Some("force balance"),
@@ -85,7 +86,7 @@ pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
     }
 }
 
-/// Whose crush energies a sum of `count` has.
+/// The vehicles whose `count` crush energies a sum contains.
 pub(crate) fn of_crushed(vehicles: &[Vehicle; 2], count: usize) -> &'static str {
     match (count, vehicles.iter().all(Vehicle::moves)) {
         (0 | 1, _) => "",
@@ -94,7 +95,7 @@ pub(crate) fn of_crushed(vehicles: &[Vehicle; 2], count: usize) -> &'static str 
     }
 }
 
-/// Where a stiffness comes from, short enough for a column.
+/// The source of a stiffness, short enough for a column.
 pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
     match source {
         StiffnessSource::Coefficients => "A and B as given".to_owned(),
@@ -157,7 +158,7 @@ pub(crate) fn quoted(keys: &[String], between: &str) -> String {
     keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(between)
 }
 
-/// What a run of avoidability is called.
+/// The names of a run of avoidability.
 pub(crate) struct RunWords {
     /// In the head of a table, in two lines.
     pub(crate) head: [&'static str; 2],

@@ -1,7 +1,7 @@
-//! How well numbers of a case are usually known: the error that an interval leaves out if they are taken as
+//! How accurately numbers of a case are usually known: the error that an interval omits if they are taken as
 //! exact.
 
-/// How well a number is usually known.
+/// The usual accuracy of a number.
 pub(crate) struct Worth {
     /// Its usual error.
     pub(crate) error: &'static str,

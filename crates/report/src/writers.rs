@@ -52,12 +52,12 @@ impl Document {
     }
 }
 
-/// Whether a block appears only in HTML: a picture of what tables say as well.
+/// Whether a block appears only in HTML: a picture of data that are also in tables.
 fn is_for_html_alone(block: &Block) -> bool {
     matches!(block, Block::Chart { instead: None, .. })
 }
 
-/// A step as lines of plain text: what it is, its equation, the numbers in it, and the value.
+/// A step as lines of plain text: its name, its equation, the numbers in it, and the value.
 fn step_lines(step: &Step) -> Vec<String> {
     let mut value = step.printed.clone();
     if !step.unit.is_empty() {

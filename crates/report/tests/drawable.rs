@@ -1,4 +1,4 @@
-//! What `check` says can be drawn, and what is drawn.
+//! The drawings that `check` lists are those that are drawn.
 
 #![allow(
     clippy::disallowed_methods,
@@ -29,7 +29,7 @@ fn fixtures() -> Vec<CaseFile> {
             files.push(CaseFile::parse(name, &fs::read_to_string(path).unwrap()).unwrap());
         }
     }
-    // Two vehicles of which only the damage is known, both with and without the direction of force.
+    // Two vehicles with only known damage, both with and without the direction of force.
     let crush_only = NO_SPEEDS.replace("[impact]", "[other]").split("[other]").next().unwrap().to_owned();
     files.push(CaseFile::parse("crush-only.toml", &crush_only).unwrap());
     files.push(CaseFile::parse("no-pdof.toml", &NO_SPEEDS.replace("pdof = \"15 deg\"", "")).unwrap());
@@ -43,7 +43,7 @@ fn fixtures() -> Vec<CaseFile> {
     files
 }
 
-/// What `check` lists of a case, from its JSON and from its text.
+/// The drawings that `check` lists for a case, from its JSON and from its text.
 fn listed(file: &CaseFile) -> Vec<String> {
     let judgement = analysis::judge(&file.case);
     let json: Value = serde_json::from_str(&report::judgement_json(file, &judgement).unwrap()).unwrap();

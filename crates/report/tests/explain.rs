@@ -70,7 +70,7 @@ fn every_symbol_of_a_report_has_a_topic() {
     for symbol in &symbols {
         assert!(topic(symbol).is_ok(), "{symbol}");
     }
-    // What the labels of the text and of the drawings name besides.
+    // Further names in the labels of the text and of the drawings.
     for symbol in [
         "θ", "C", "Γ", "u", "U", "P", "μ", "μ_c", "n", "t", "v", "V", "ω", "Ω", "ΔV", "PDOF", "E_L", "W_n",
         "W_t", "W_m", "E", "EBS", "α", "h", "γ", "A", "B", "G", "M", "e", "e_n", "e_t", "e_m", "ε", "EES",
@@ -131,7 +131,7 @@ fn a_symbol_or_key_means_what_it_means_there() {
     explained("Crush plane", "crush plane");
     explained("Sobol index", "Sobol' index");
     explained("Energy Basis", "energy basis");
-    // What people call it who have not read the glossary.
+    // Names used by people who have not read the glossary.
     explained("J670", "axes");
     explained("heading angle", "heading");
     explained("CDC", "PDOF");
@@ -189,7 +189,7 @@ fn an_unknown_topic_names_its_neighbours() {
     // A topic of several names is named once.
     let near: BTreeSet<&str> = error.nearest.iter().map(|name| topic(name).unwrap().name).collect();
     assert_eq!(near.len(), error.nearest.len(), "{error}");
-    // A part of a name is enough to be reminded of it.
+    // A part of a name is enough for it to be suggested.
     assert!(topic("hypercub").unwrap_err().nearest.contains(&"Latin hypercube"));
     assert_eq!(topic("xyzzy").unwrap_err().nearest, [""; 0]);
     assert!(topic("").is_err());
@@ -310,13 +310,13 @@ fn the_words_of_the_trade_are_explained() {
             explained(word, by);
         }
     }
-    // What is misread most says so first.
+    // A term that is often misread begins with that.
     let drag = topic("drag factor").unwrap();
     assert!(drag.text.starts_with("`drag` is not the drag factor f of a skid"), "{}", drag.text);
     assert!(drag.text.contains("`drag = 0.7` means fully braked wheels"));
 }
 
-/// From two unknown speeds, and from the list of topics, the way leads to the command that weighs everything.
+/// The topic on two unknown speeds, and the list of topics, lead to the command that weighs everything.
 #[test]
 fn the_topics_of_unknown_speeds_name_the_estimate() {
     for word in ["two unknown speeds", "which command", "stopped vehicle"] {

@@ -5,7 +5,7 @@ use pim_core::VehicleId;
 
 use super::fixtures::reader::{Reader, area, number, scales};
 
-/// Of each vehicle what its recorder stored, our median and WinSMASH's value, m/s.
+/// For each vehicle the value that its recorder stored, our median and WinSMASH's value, m/s.
 const VEHICLES: [(PairKind, f64, f64, Option<f64>); 3] = [
     (PairKind::FrontFront, 10.0, 8.0, Some(5.0)),
     (PairKind::FrontSide, 5.0, 6.0, None),

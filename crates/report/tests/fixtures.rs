@@ -1,4 +1,5 @@
-//! What every valid case of the fixtures has to fulfil: drawings, and substitutions that come out.
+//! Requirements for every valid case of the fixtures: drawings, and substitutions that give the printed
+//! results.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #![allow(clippy::disallowed_methods, reason = "the calculator and the measures are not those of the program")]
@@ -41,7 +42,7 @@ fn analyses_in(axes: Axes) -> Vec<(String, CaseFile, Analysis)> {
         paths.sort();
         for path in paths.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")) {
             let text = fs::read_to_string(&path).unwrap();
-            // What is not a case: the numbers that the papers print.
+            // Not a case: the numbers that the papers print.
             let Ok(file) = CaseFile::parse(&path.display().to_string(), &text) else {
                 assert!(path.ends_with("published.toml"), "{}", path.display());
                 continue;

@@ -11,8 +11,8 @@ use report::{Subject, Supplements, Units};
 
 const STATIONS: usize = 10_000;
 
-/// What grows with the numbers takes some seconds in a test build on a busy machine; what grows with their
-/// square, minutes.
+/// Work that grows with the numbers takes some seconds in a test build on a busy machine; work that grows
+/// with their square, minutes.
 const SOON: Duration = Duration::from_secs(30);
 
 /// SAE 980025's example with so many stations on both vehicles.
@@ -39,7 +39,7 @@ fn the_derivatives_by_all_stations_come_soon() {
     assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
 }
 
-/// Of the paper's six stations the drawing shows all; of thousands as many as can be told apart.
+/// The drawing shows all of the paper's six stations; of thousands, as many as can be distinguished.
 #[test]
 fn a_drawing_does_not_grow_with_the_stations() {
     let drawn = |stations| {

@@ -1,4 +1,4 @@
-//! The tests of what is reported, in one binary.
+//! The tests of the reports, in one binary.
 
 mod drawable;
 mod explain;

@@ -93,7 +93,7 @@ fn each_row_has_the_number_of_the_json() {
     assert!(unseen.is_empty(), "no fixture has {unseen:?}");
 }
 
-/// Numbers of the JSON that are no quantity of the collision, by the start of their place.
+/// Numbers of the JSON that are not quantities of the collision, by the beginning of their path.
 const EXCEPTIONS: [(&str, &str); 12] = [
     ("/checks/", "a list of what was compared, with its limits"),
     ("/warnings/", "a list, in which a number is that of a vehicle"),
@@ -191,7 +191,7 @@ fn what_is_shared_stands_in_no_column_of_a_vehicle() {
     assert!(below.len() > 10 && elsewhere.len() > 10, "{below:?} {elsewhere:?}");
 }
 
-/// A row whose label stands in no table of the text, and where its number stands instead.
+/// A row whose label is in no table of the text, and the place of its number instead.
 const ELSEWHERE: [(&str, &str); 1] = [("found.value", "in the answer above all tables")];
 
 #[test]

@@ -1,4 +1,4 @@
-//! What reports say of a recorder's pulse.
+//! The pulse of a recorder in reports.
 
 use std::ops::ControlFlow;
 
@@ -27,8 +27,8 @@ fn an_axis_that_ends_early_was_stored() {
     }
 }
 
-/// Where all the evidence leads, a bound above its interval is a warning on the answer, as in an estimate,
-/// and on the exact solution beside it.
+/// Where all the evidence gives the answer, a bound above its interval is a warning on the answer, as in an
+/// estimate, and on the exact solution that is shown with it.
 #[test]
 fn a_record_above_all_answers_is_told_where_all_evidence_leads() {
     let codes = |list: &Value| -> Vec<String> {

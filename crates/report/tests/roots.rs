@@ -8,7 +8,7 @@
 use case::CaseFile;
 use serde_json::Value;
 
-/// What the JSON of a reconstruction says of the speed found.
+/// The speed found in the JSON of a reconstruction.
 #[track_caller]
 fn found(name: &str) -> Value {
     let path = format!("{}/../../fixtures/roots/{name}.toml", env!("CARGO_MANIFEST_DIR"));

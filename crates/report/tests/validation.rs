@@ -1,4 +1,4 @@
-//! The pages in `docs` and the README say what the program says.
+//! The pages in `docs` and the README have the numbers of the program.
 //!
 //! `UPDATE=1 cargo test -p deltav-report` writes the pages anew. Read the difference before you keep it.
 
@@ -113,7 +113,7 @@ fn the_plots_have_every_point_in_its_place() {
     }
 }
 
-/// What a reader who cannot see a plot is told: the farthest points, looked up in the tables.
+/// The description of a plot for a reader who cannot see it: the farthest points, looked up in the tables.
 #[test]
 fn the_plots_say_how_far_points_are_off() {
     let validation = built_in();
@@ -129,7 +129,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The README has of each error rate the mean and the rms error; docs/validation.md has the whole.
+/// The README has the mean and the rms error of each error rate; docs/validation.md has all of it.
 #[test]
 fn the_readme_has_the_error_rate() {
     let [readme, details] = ["README.md", "docs/validation.md"]
@@ -149,7 +149,8 @@ fn the_readme_has_the_error_rate() {
     assert!(readme[from..].contains("(docs/validation.md)"));
 }
 
-/// A report has the error rate of what it finds; one that finds nothing of a collision has none.
+/// A report has the error rate of the quantities that it finds; one that finds no quantity of a collision has
+/// none.
 #[test]
 fn a_report_has_the_error_rate_of_its_own_answer() {
     let validation = built_in();
@@ -168,7 +169,7 @@ fn a_report_has_the_error_rate_of_its_own_answer() {
     let of_both = page("rear-end-rest.toml", analysis::reconstruct);
     assert!(of_both.contains(&both) && !of_both.contains(&one));
     assert!(!of_both.contains("reconstructs no speed"));
-    // What the two vehicles were taken to have done.
+    // The assumed motion of the two vehicles.
     for vehicle in ["vehicle 1", "vehicle 2"] {
         assert!(of_both.contains(&format!("By EDCRASH's rule, {vehicle} did not spin")), "{of_both}");
     }
@@ -249,7 +250,7 @@ fn a_failure_is_shouted() {
     assert!(json.contains(place) && json.contains("\"reproduces\": false"));
 }
 
-/// Every reason and every misprint is told.
+/// Every reason and every misprint is given.
 #[test]
 fn nothing_is_hidden() {
     let validation = built_in();

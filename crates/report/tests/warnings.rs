@@ -1,4 +1,4 @@
-//! The sentences of the warnings: what they tell the reader to do, in the reader's units and axes.
+//! The sentences of the warnings: their advice to the reader, in the reader's units and axes.
 
 use analysis::{Drive, JumpSide, Magnitude, Warning};
 use case::Basis;
@@ -48,8 +48,8 @@ fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
     says(&change, Axes::ZUp, &["change of -0.68 mph (-1.00 ft/s)", "u_t = -6.82 mph (-10.00 ft/s)"]);
 }
 
-/// A profile without depth on a stiffness without A stands for no force: no ratio of forces is printed, and
-/// the warning has none.
+/// A profile without depth and a stiffness without A mean no force: no ratio of forces is printed, and the
+/// warning has none.
 #[test]
 fn no_force_has_no_ratio() {
     let text = "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\n\

@@ -138,7 +138,7 @@ fn judged(text: &str) -> Value {
     serde_json::from_str(&report::judgement_json(&file, &analysis::judge(&file.case)).unwrap()).unwrap()
 }
 
-/// What the file says in words and switches, no more and no less than what stands in it.
+/// The words and switches of the file: no more and no less than it contains.
 #[test]
 fn check_reads_every_choice_back() {
     let choices = |text: &str| -> Vec<(String, String)> {
@@ -183,7 +183,7 @@ fn a_table_with_one_sample_has_one_time() {
     assert!(choices.contains("1 time, 0.00 s; "), "{choices}");
 }
 
-/// With e = 0.3 the normal impulse gives back 9 % of the crush energy, and both speeds are sought by that.
+/// With e = 0.3 the normal impulse gives back 9 % of the crush energy, and both speeds are found with that.
 #[test]
 fn an_energy_that_the_basis_explains_is_no_disagreement() {
     let rest = include_str!("../../../fixtures/rear-end-rest.toml");

@@ -4,8 +4,8 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-/// The path of a file that a case names. A case comes from others: what it names is to lie in its folder, and
-/// no link may lead out of it.
+/// The path of a file that a case names. A case may come from somebody else: the file has to be in the folder
+/// of the case, and no link may lead out of it.
 pub(crate) fn beside(case: &Path, name: &str) -> io::Result<PathBuf> {
     let outside = || io::Error::other("it lies outside the folder of the case");
     let is_below = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
@@ -21,7 +21,7 @@ pub(crate) fn beside(case: &Path, name: &str) -> io::Result<PathBuf> {
     if !metadata.is_file() {
         return Err(io::Error::other("it is not a file"));
     }
-    // A folder on the way may be a link as well.
+    // A folder on the path may be a link as well.
     if !fs::canonicalize(&path)?.starts_with(fs::canonicalize(folder)?) {
         return Err(outside());
     }

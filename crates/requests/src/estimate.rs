@@ -20,13 +20,13 @@ pub struct EstimateOptions {
     /// In place of the `prior` of the case.
     #[serde(serialize_with = "prior")]
     pub prior: Option<SeverityPrior>,
-    /// Whether to ask what each piece of evidence says alone.
+    /// Whether to find the answer by each piece of evidence alone.
     pub pieces: bool,
     /// Questions such as `vehicle1.speed 50 km/h`: how probable is it that the result is above the limit?
     pub above: Vec<String>,
 }
 
-/// Without further options, each piece of evidence being left where it is: as evidence is weighed.
+/// The plan for weighing evidence: the default options, without the answers by each piece alone.
 pub(crate) const WEIGHING: EstimatePlan =
     EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: PieceDetail::Compared };
 
@@ -45,9 +45,9 @@ fn prior<S: Serializer>(prior: &Option<SeverityPrior>, out: S) -> Result<S::Ok, 
 /// An estimate, and what was asked of it.
 #[derive(Debug)]
 pub struct EstimateAnswer {
-    /// What all the evidence says.
+    /// The result of all the evidence.
     pub estimated: Estimated,
-    /// How, and which questions.
+    /// The plan and the questions.
     pub asked: Asked,
 }
 

@@ -25,12 +25,12 @@
 //! [samples](Answer::write_samples).
 //!
 //! [`DrawingRequest`] draws a subject of a case, [`plots`] an uncertainty, and [`site_plan_beside`] reads the
-//! picture behind a motion. [`RowRefusal`] says on one line why a row has no answer.
+//! picture behind a motion. [`RowRefusal`] states on one line why a row has no answer.
 //!
 //! # A new command
 //!
 //! Its options, and its document and JSON if no other crate has them, are a file of this crate, whose enums
-//! have a variant more. The command line gives it a name and a help; the page finds it by its name.
+//! get another variant. The command line gives it a name and a help; the page finds it by its name.
 //!
 //! # What it does not do
 //!
@@ -86,7 +86,7 @@ pub enum Request {
     Check,
     /// The answers of every impact law.
     Compare,
-    /// What the recorders say alone.
+    /// The readings of the recorders on their own.
     Recorder,
     /// How much the answer depends on each input.
     Sensitivity(SensitivityOptions),
@@ -98,16 +98,16 @@ pub enum Request {
     Avoid(AvoidOptions),
 }
 
-/// A [`Request`] that takes long, with what was found of it so far.
+/// A [`Request`] that takes long, with its results so far.
 #[derive(Debug)]
 pub enum Begun<'a> {
     /// Its exact solution is found.
     Reconstruct(&'a ReconstructOptions, Box<SolvedCase>),
-    /// Nothing yet.
+    /// No result yet.
     Uncertainty(&'a UncertaintyOptions),
-    /// Nothing yet.
+    /// No result yet.
     Estimate(&'a EstimateOptions),
-    /// Nothing yet.
+    /// No result yet.
     Avoid(&'a AvoidOptions),
 }
 
@@ -133,21 +133,22 @@ impl Begun<'_> {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Answer {
-    /// Of [`Request::Reconstruct`], [`Request::Impact`], [`Request::Motion`] and [`Request::Crush`].
+    /// The answer to [`Request::Reconstruct`], [`Request::Impact`], [`Request::Motion`] and
+    /// [`Request::Crush`].
     Analysis(Box<SolvedCase>),
-    /// Of [`Request::Check`].
+    /// The answer to [`Request::Check`].
     Judgement(Box<Judgement>),
-    /// Of [`Request::Compare`].
+    /// The answer to [`Request::Compare`].
     Comparison(Box<Comparison>),
-    /// Of [`Request::Recorder`].
+    /// The answer to [`Request::Recorder`].
     Recorders(Box<RecorderReading>),
-    /// Of [`Request::Sensitivity`].
+    /// The answer to [`Request::Sensitivity`].
     Sensitivity(Box<Sensitivity>),
-    /// Of [`Request::Uncertainty`].
+    /// The answer to [`Request::Uncertainty`].
     Uncertainty(Box<Uncertainty>),
-    /// Of [`Request::Estimate`].
+    /// The answer to [`Request::Estimate`].
     Estimate(Box<EstimateAnswer>),
-    /// Of [`Request::Avoid`].
+    /// The answer to [`Request::Avoid`].
     Avoidance(Box<Avoidance>),
 }
 
@@ -301,7 +302,7 @@ impl Answer {
         matches!(self, Self::Analysis(solved) if solved.is_followed())
     }
 
-    /// The JSON document: SI units and radians, with keys that are kept.
+    /// The JSON document: SI units and radians, with stable keys.
     ///
     /// # Errors
     /// If serialisation fails, which no answer causes.
@@ -360,8 +361,8 @@ impl Answer {
         }
     }
 
-    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is
-    /// [not an answer](Self::no_answer) or has no samples.
+    /// Writes the samples or draws as CSV or, for recorders, the data that they stored before the impact;
+    /// nothing if it is [not an answer](Self::no_answer) or has no samples.
     ///
     /// # Errors
     /// Those of the output.

@@ -10,23 +10,23 @@ use report::{Drawing, DrawingError, SitePlan, Subject, Units};
 
 use crate::beside::beside;
 
-/// What to draw of a case.
+/// The drawing to make of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DrawingRequest {
     /// The subject.
     pub subject: Subject,
-    /// Whether it is for readers who are no engineers.
+    /// Whether it is for readers who are not engineers.
     pub plain: bool,
 }
 
 impl DrawingRequest {
-    /// Whether there is a form of the subject for readers who are no engineers.
+    /// Whether there is a form of the subject for readers who are not engineers.
     #[must_use]
     pub fn can_be(self) -> bool {
         !self.plain || matches!(self.subject, Subject::Scene | Subject::Motion)
     }
 
-    /// Draws it; a plain drawing has the speeds of all the evidence where it was weighed.
+    /// Draws it; a plain drawing has the speeds by all the evidence if that was weighed.
     ///
     /// # Errors
     /// [`DrawingError`]: mostly that the analysis has nothing of this kind.
@@ -50,10 +50,10 @@ impl DrawingRequest {
 /// (bytes) no PNG or JPEG of a plan is larger.
 const LARGEST_PICTURE: u64 = 1 << 28;
 
-/// Reads the file of a picture, which is no device and no pipe.
+/// Reads the file of a picture, which must not be a device or a pipe.
 ///
 /// # Errors
-/// That of the system, and for what cannot be a picture of a plan.
+/// That of the system, or if the file cannot be a picture of a plan.
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if !metadata.is_file() {
@@ -69,7 +69,7 @@ pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     fs::read(path)
 }
 
-/// Where the picture of a case lies.
+/// The path of the picture of a case.
 #[must_use]
 pub fn plan_path(case: &Path, plan: &GivenSitePlan) -> PathBuf {
     case.parent().unwrap_or(Path::new("")).join(plan.file.as_given())

@@ -1,10 +1,10 @@
-//! How far a request is.
+//! The progress of a request.
 
 use std::ops::ControlFlow;
 
 use analysis::{EstimateStage, Stage};
 
-/// Receives what is counted, how many are done and how many there are, and may end the run.
+/// Receives the name of what is counted, the number done and the total, and may end the run.
 pub type RequestProgress<'a> = dyn FnMut(&'static str, usize, usize) -> ControlFlow<()> + Send + 'a;
 
 /// What is counted while samples are drawn.
@@ -15,7 +15,7 @@ pub(crate) fn counted(stage: Stage) -> &'static str {
     }
 }
 
-/// Passes on how far an estimate is.
+/// Passes on the progress of an estimate.
 pub(crate) fn of_estimate<'a>(
     progress: &'a mut RequestProgress<'_>,
 ) -> impl FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a {

@@ -1,4 +1,4 @@
-//! The tables of recorders that lie in files beside a case.
+//! The tables of recorders in files next to a case.
 
 use std::fs;
 use std::io;
@@ -38,7 +38,7 @@ pub fn read_records_beside(
     Faults::none_of(faults).map_err(|faults| file.diagnostics(&faults, program))
 }
 
-/// Reads the files of one record, whose keys stand in this table of the case.
+/// Reads the files of one record, whose keys are in this table of the case.
 fn read_record(
     case: &Path,
     table: &str,
@@ -49,7 +49,7 @@ fn read_record(
     read_series(case, &mut record.pulse, &format!("{table}.pulse.file"), refuse);
 }
 
-/// Reads a table that is in a file, which stands under this key.
+/// Reads a table from the file that this key names.
 fn read_series<R: OfTables>(
     case: &Path,
     series: &mut Option<Arc<GivenSeries<R>>>,

@@ -40,7 +40,7 @@ pub enum NoPage {
 pub struct RowRefusal {
     /// What is wrong, and where.
     pub error: String,
-    /// What to write instead; empty where the error says all.
+    /// What to write instead; empty if the error suffices.
     pub help: String,
 }
 
@@ -51,14 +51,14 @@ impl RowRefusal {
         Self { error: text.split_whitespace().collect::<Vec<_>>().join(" "), help: String::new() }
     }
 
-    /// Of a case that cannot be read, in the words of a program.
+    /// The refusal of a case that cannot be read, in the words of a program.
     #[must_use]
     pub fn of_case(errors: Diagnostics, program: &'static Program) -> Self {
         let errors = errors.in_words_of(program);
         Self { error: errors.one_line(), help: errors.help_on_one_line() }
     }
 
-    /// Of a case without an answer.
+    /// The refusal of a case without an answer.
     #[must_use]
     pub fn of(refused: &Unanswered, file: &CaseFile, program: &'static Program) -> Self {
         match refused {

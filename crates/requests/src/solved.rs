@@ -147,11 +147,11 @@ impl SolvedCase {
         }
     }
 
-    /// The drawing that shows most of it; none of a case of which nothing can be drawn.
+    /// The drawing that shows most of it; `None` if nothing can be drawn of the case.
     #[must_use]
     pub fn first_subject(&self) -> Option<Subject> {
         let Self { analysis, .. } = self;
-        // Of point masses it is not known how they lay to each other.
+        // The relative position of point masses is not known.
         let is_placed = analysis.both.as_ref().is_none_or(|both| both.geometry == Geometry::Given);
         if analysis.impact.is_some() && is_placed {
             Some(Subject::Scene)

@@ -1,4 +1,4 @@
-//! What the ranges of a case make of its results.
+//! The effect of the ranges of a case on its results.
 
 use analysis::{Failure, Plan, Stage, Uncertainty};
 use case::Case;

@@ -1,4 +1,4 @@
-//! `recorder`: the tables of recorders, in a case and beside it.
+//! `recorder`: the tables of recorders, in a case and in files next to it.
 
 use std::fs;
 use std::ops::ControlFlow;
@@ -57,7 +57,7 @@ fn a_recorder_is_shown_in_every_format() {
     let csv = String::from_utf8(csv).unwrap();
     assert_eq!(csv.lines().count(), 1 + 6 + 5);
     assert!(csv.lines().nth(1).unwrap().starts_with("1,-2.5,16.38"), "{csv}");
-    // Of the last sample no distance is left.
+    // From the last sample on, no distance is left.
     assert!(csv.lines().nth(6).unwrap().ends_with(",0,0,0"), "{csv}");
 }
 
@@ -172,7 +172,7 @@ fn several_records_are_told_apart_in_every_format() {
     assert!(error.contains("cannot read edr.csv") && error.contains("case.toml:16:22"), "{error}");
 }
 
-/// A folder on the way to a file may be a link as well as the file itself.
+/// A folder on the path to a file may be a link, and so may the file itself.
 #[cfg(unix)]
 #[test]
 fn nothing_that_a_case_names_lies_behind_a_link() {

@@ -1,4 +1,4 @@
-//! A request by its names and back, what it refuses, and that its answer has what it promises.
+//! A request from its names and back, the values that it refuses, and the promised content of its answer.
 
 use std::ops::ControlFlow;
 
@@ -144,7 +144,7 @@ fn an_answer_has_what_its_request_promises() {
     }
 }
 
-/// Both rest positions are known besides the damage: more evidence than an exact solution uses.
+/// Both rest positions are known in addition to the damage: more evidence than an exact solution uses.
 #[test]
 fn more_evidence_is_weighed_where_it_is_asked_for() {
     let over = file("edcrash-tutorial.toml");

@@ -12,7 +12,7 @@ use arrow_schema::{DataType, Field};
 use case::{CaseFile, EXAMPLE};
 use tables::{RowOptions, RowTemplate, reconstruct};
 
-/// What is moved about: a column in its unit, its number in the example, and by how much.
+/// The varied inputs: a column in its unit, its number in the example, and the variation.
 const COLUMNS: [(&str, f64, f64); 17] = [
     ("vehicle1.weight [lb]", 3696.0, 200.0),
     ("vehicle2.weight [lb]", 3413.0, 200.0),
@@ -80,7 +80,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let first = first.slice(0, few);
     timed(&format!("with {samples} samples"), few, || reconstruct(&first, &template_of_ranges, &options))?;
 
-    // What the parts cost.
+    // The times of the parts.
     let values = CaseFile::part("part.toml", EXAMPLE)?;
     timed("the reader alone", rows, || -> Result<(), Box<dyn Error>> {
         for _ in 0..rows {

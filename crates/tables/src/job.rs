@@ -1,15 +1,15 @@
-//! What is made of the rows of a table, and how.
+//! The task for the rows of a table, and its options.
 
 use analysis::EstimatePlan;
 use case::SeverityPrior;
 
-/// What is made of each row.
+/// The task for each row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Job {
     /// The speed at which impact and crush agree: as `deltav reconstruct`, and with samples as
     /// `deltav uncertainty`.
     Reconstruct,
-    /// What the impact does, both speeds given: as `deltav impact`.
+    /// The effect of the impact, with both speeds given: as `deltav impact`.
     Impact,
     /// Energies and ΔV from the damage alone: as `deltav crush`.
     Crush,
@@ -44,7 +44,7 @@ pub struct RowOptions {
     /// [`SAMPLES`](analysis::AvoidPlan::SAMPLES).
     pub samples: Option<usize>,
     /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
-    /// what is found of a row does not depend on where in the table it stands.
+    /// the results of a row do not depend on its position in the table.
     pub seed: u64,
     /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
     pub particles: usize,

@@ -23,9 +23,9 @@
 //! ```
 //!
 //! Each row goes through the reader of case files and the functions of `analysis`: its results have the same
-//! bits as those of the program on the same case, and what is wrong with it is told in the same sentence,
-//! with its key. [`run`] does any [`Job`]; [`reconstruct`] is short for one.
-//! [`result_schema`] tells the columns of results without data.
+//! bits as those of the program on the same case, and its faults are reported in the same sentences, with
+//! their keys. [`run`] does any [`Job`]; [`reconstruct`] is short for one.
+//! [`result_schema`] gives the columns of results without data.
 //!
 //! # Columns of cases
 //!
@@ -74,8 +74,8 @@
 //! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary
 //! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null
 //! in a row without uncertain numbers. No type is unsigned, and no name has a dot. `warnings` are codes that
-//! the glossary explains; `help` says what to write in place of the error. The metadata of the schema has the
-//! version of the program and the options.
+//! the glossary explains; `help` states what to write instead. The metadata of the schema has the version of
+//! the program and the options.
 //!
 //! The seed is that of the options, or of the column `seed`: the same row has the same result at any
 //! position, in any batch and on any number of threads.

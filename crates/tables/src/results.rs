@@ -21,7 +21,7 @@ use requests::RowRefusal;
 use crate::error::TableError;
 use crate::job::{Job, RowOptions};
 
-/// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
+/// The quantities of a vehicle that damage alone gives, in addition to all those of CRASH3.
 const OF_DAMAGE: [OutputQuantity; 10] = [
     PDOF,
     CRUSH_ENERGY,
@@ -41,7 +41,7 @@ const STATISTICS: [&str; 5] = ["p025", "median", "p975", "mean", "sd"];
 /// Their values for one output.
 type Statistics = [f64; STATISTICS.len()];
 
-/// What is read of avoidability.
+/// Reads a value of the avoidability.
 type OfAvoidance<T> = fn(&Case, &Avoidance) -> Option<T>;
 
 /// The numbers of avoidability, by the keys of the JSON of `deltav avoid`.
@@ -76,14 +76,14 @@ fn delta_v_at_limit(case: &Case, found: &Avoidance, id: VehicleId) -> Option<f64
     (!case.vehicles[id.index()].fixed).then_some(delta_v[id.index()])
 }
 
-/// What was found of one row.
+/// The results of one row.
 pub(crate) enum Found {
     Analysis(Box<Seen>, Vec<String>, Option<Spread>),
     Estimate(Box<EstimateFound>),
     Avoidance(Box<AvoidFound>),
 }
 
-/// What is found of avoidability.
+/// The results on avoidability.
 pub(crate) struct AvoidFound {
     axes: Axes,
     /// By the places of [`AVOIDED`] and [`AVOIDABLE`].
@@ -92,7 +92,7 @@ pub(crate) struct AvoidFound {
     warnings: Vec<String>,
 }
 
-/// What the samples of a row say.
+/// The statistics of the samples of a row.
 pub(crate) struct Spread {
     samples: usize,
     succeeded: usize,
@@ -100,7 +100,7 @@ pub(crate) struct Spread {
     of: Vec<Option<Statistics>>,
 }
 
-/// What an estimate says of a row.
+/// The estimate of a row.
 pub(crate) struct EstimateFound {
     axes: Axes,
     converged: bool,
@@ -111,7 +111,8 @@ pub(crate) struct EstimateFound {
     of: Vec<Option<Statistics>>,
 }
 
-/// What came of a row: a result, and why there is none. An estimate that has not converged has both.
+/// The outcome of a row: a result, or the reason why there is none. An estimate that has not converged has
+/// both.
 pub(crate) struct Outcome {
     pub(crate) found: Option<Found>,
     pub(crate) refusal: Option<RowRefusal>,
@@ -296,7 +297,7 @@ pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
         .into_iter()
         .map(|(name, column)| Field::new(name, column.data_type(), true))
         .collect();
-    // With the cases, all that it takes to get the same again.
+    // Together with the cases, all that is needed to reproduce the results.
     let mut metadata = HashMap::from([
         ("deltav.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
         ("deltav.job".to_owned(), job.name().to_owned()),

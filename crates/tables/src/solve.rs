@@ -24,7 +24,7 @@ pub struct RowTemplate {
 }
 
 impl RowTemplate {
-    /// Reads a part of a case file; `name` is what errors call it.
+    /// Reads a part of a case file; `name` is its name in errors.
     ///
     /// ```
     /// use tables::RowTemplate;
@@ -35,8 +35,8 @@ impl RowTemplate {
     /// ```
     ///
     /// # Errors
-    /// [`TableError::Template`] for what is wrong whatever the rows have. What is missing, and what does not
-    /// fit together, stands in the rows.
+    /// [`TableError::Template`] for faults that do not depend on the rows. Missing keys, and keys that do not
+    /// fit together, are reported in the rows.
     pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
         match CaseFile::part(name, text) {
             Ok(shared) => Ok(Self { shared }),
@@ -51,10 +51,11 @@ const WHY_NO_ANSWER: &str = "`deltav estimate` on the case says why";
 /// Rows that are computed before they are put into columns.
 const AT_ONCE: usize = 4096;
 
-/// What is wrong with each row already where it was read; nothing where it is sound, or beyond the end.
+/// The faults that were found when the rows were read, one for each row; nothing if a row is sound, or beyond
+/// the end.
 pub type RowFaults<'a> = &'a [Option<String>];
 
-/// Is told how many rows are done of how many, from whichever thread, and may end the run.
+/// Receives the number of finished rows and of all, on any thread, and may end the run.
 pub type RowProgress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
 
 /// The schema of the results, which does not depend on the rows.
@@ -70,8 +71,8 @@ pub fn result_schema(job: Job, options: &RowOptions) -> SchemaRef {
     results::schema(job, options)
 }
 
-/// Checks once that columns from elsewhere hold what their types say: text in UTF-8, places that exist. What
-/// other programs hand over in memory nobody has checked.
+/// Checks once that columns from elsewhere match their types: text in UTF-8, places that exist. Data that
+/// other programs hand over in memory are unchecked.
 ///
 /// # Errors
 /// [`TableError::Damaged`], with the first column that does not.
@@ -113,8 +114,8 @@ pub fn reconstruct(
 /// The results have the same bits with any number of them.
 ///
 /// # Errors
-/// [`TableError`] where the table as a whole cannot be read, where the options make no sense, and where
-/// `progress` ends the run.
+/// [`TableError`] if the table as a whole cannot be read, if the options are invalid, or if `progress` ends
+/// the run.
 pub fn run(
     job: Job,
     batch: &RecordBatch,
@@ -125,7 +126,7 @@ pub fn run(
     run_with_faults(job, batch, &[], template, options, progress)
 }
 
-/// [`run`] for rows of which some were wrong already where they were read: such a row has its fault in the
+/// [`run`] for rows some of which were found to be wrong when they were read: such a row has its fault in the
 /// column `error`.
 ///
 /// # Errors
@@ -164,7 +165,7 @@ pub fn run_with_faults(
     builder.finish()
 }
 
-/// The columns whose bare numbers are taken as SI because nothing says their unit, each with the unit.
+/// The columns whose bare numbers are taken as SI because nothing gives their unit, each with the unit.
 ///
 /// # Errors
 /// [`TableError`] where the columns cannot be read.
@@ -201,7 +202,7 @@ fn check(job: Job, RowOptions { samples, particles, prior, .. }: &RowOptions) ->
     Ok(())
 }
 
-/// What all rows share, and how far they are.
+/// The data that all rows share, and their progress.
 struct Row<'a> {
     job: Job,
     plan: &'a Plan<'a>,
@@ -215,7 +216,7 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Begun in the order of the rows, so that an end leaves few that are done behind one that is not.
+    /// Rows are begun in their order, so that few are finished after an unfinished one if the run is ended.
     #[cfg(feature = "parallel")]
     fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Option<Outcome>> {
         use rayon::iter::{ParallelBridge as _, ParallelIterator as _};
@@ -229,7 +230,7 @@ impl Row<'_> {
         rows.map(|row| self.outcome(row)).collect()
     }
 
-    /// Asks whether to go on; an end is for all rows.
+    /// Asks whether to continue; an end applies to all rows.
     fn goes_on(&self) -> ControlFlow<()> {
         let done = self.done.load(Ordering::Relaxed);
         if self.is_ended.load(Ordering::Relaxed) || (self.progress)(done, self.total).is_break() {
@@ -239,14 +240,14 @@ impl Row<'_> {
         ControlFlow::Continue(())
     }
 
-    /// `None` of a row that was not begun, or not done, before the end.
+    /// `None` for a row that was not begun, or not finished, before the end.
     fn outcome(&self, row: usize) -> Option<Outcome> {
         if self.is_ended.load(Ordering::Relaxed) {
             return None;
         }
         let outcome =
             self.solved(row).unwrap_or_else(|refusal| Outcome { found: None, refusal: Some(refusal) });
-        // A long row asks on its way, and leaves off where it is told.
+        // A long row asks in between whether the run is ended, and then stops.
         let asks = matches!(self.job, Job::Estimate | Job::Avoid) || self.options.samples.is_some();
         if asks && self.is_ended.load(Ordering::Relaxed) {
             return None;
@@ -295,7 +296,7 @@ impl Row<'_> {
             }
         };
         let analysis = analyse(case).map_err(refused)?;
-        // Intervals are of what is not exact.
+        // Only uncertain numbers lead to intervals.
         let spread = match self.options.samples {
             None => None,
             Some(samples) => {

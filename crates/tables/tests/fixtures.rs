@@ -12,7 +12,7 @@ pub(crate) struct Fixture {
     pub(crate) values: ValueTable<'static>,
 }
 
-/// All that can be read, in the order of their names.
+/// All files that can be read, in the order of their names.
 pub(crate) fn all() -> Vec<Fixture> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut paths = Vec::new();

@@ -21,7 +21,7 @@ pub(crate) fn nested(cases: &[&ValueTable<'_>]) -> RecordBatch {
     RecordBatch::try_new(Arc::new(schema), columns).unwrap()
 }
 
-/// The values as a column of a type, which has a place for each.
+/// The values as a column of a type that has a place for each.
 fn array(data_type: &DataType, values: &[Option<&Value<'_>>]) -> ArrayRef {
     match data_type {
         DataType::Struct(fields) => structs(fields, values),
@@ -29,7 +29,7 @@ fn array(data_type: &DataType, values: &[Option<&Value<'_>>]) -> ArrayRef {
             let mut lengths = Vec::new();
             let mut flat: Vec<Option<&Value<'_>>> = Vec::new();
             for value in values {
-                // One word of several stands alone in the file.
+                // A single word in place of a list of several is not in brackets in the file.
                 match value {
                     Some(Value::List(list)) => {
                         flat.extend(list.iter().map(Some));
@@ -113,7 +113,7 @@ fn structs(fields: &Fields, values: &[Option<&Value<'_>>]) -> ArrayRef {
     Arc::new(StructArray::try_new_with_length(fields.clone(), columns, Some(nulls), values.len()).unwrap())
 }
 
-/// How the columns of a flat table are called.
+/// The naming of the columns of a flat table.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Names {
     /// `vehicle1.mass [lb]`

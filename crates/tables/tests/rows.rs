@@ -1,4 +1,4 @@
-//! A row in, a row out: what stands beside a row does not matter, and a bad row is told in its place.
+//! A row in, a row out: other rows do not matter, and a bad row is reported in its place.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -45,7 +45,7 @@ fn refusal(columns: Vec<(&str, ArrayRef)>) -> String {
     rows(Job::Reconstruct, &batch(columns)).unwrap_err().to_string()
 }
 
-/// Each sentence names the key; the good rows around are as they are alone.
+/// Each sentence names the key; the good rows around have the same results as alone.
 #[test]
 fn a_bad_row_has_a_sentence() {
     let results = rows(
@@ -70,7 +70,7 @@ fn a_bad_row_has_a_sentence() {
             ),
         ]),
     );
-    // The template has the weight of vehicle 2: one of the two has to go.
+    // The template has the weight of vehicle 2: one of the two has to be removed.
     let results = results.unwrap();
     let errors = errors(&results);
     let error = |row: usize| errors[row].as_deref().unwrap();
@@ -150,7 +150,7 @@ fn a_table_that_cannot_be_read_is_refused_in_a_sentence() {
     assert!(refusal(vec![("vehicle1", Arc::new(inside))]).contains("did you mean \"mass\"?"));
 }
 
-/// Of any type that a table can have, none makes it panic.
+/// No type that a table can have causes a panic.
 #[test]
 fn columns_of_every_type_are_read_or_refused() {
     let schema = case_schema(Numbers::Ranges);
@@ -206,7 +206,7 @@ fn a_table_without_rows_has_the_columns_of_results() {
     }
 }
 
-/// Names that SQL and Spark take, and types that they have.
+/// Names that SQL and Spark accept, and types that they have.
 #[test]
 fn columns_of_results_have_plain_names_and_types() {
     for (_, job) in Job::WORDS {
@@ -230,7 +230,7 @@ fn columns_of_results_have_plain_names_and_types() {
     });
 }
 
-/// Every text type, every number type, dictionaries and nulls say the same.
+/// Every text type, every number type, dictionaries and nulls give the same results.
 #[test]
 fn types_of_columns_do_not_matter() {
     let sides = ["right", "left"];
@@ -331,8 +331,8 @@ fn words(results: &RecordBatch, column: &str) -> Vec<Vec<String>> {
     lists.iter().map(|list| of(list.unwrap())).collect()
 }
 
-/// A lateral ΔV of −26 km/h agrees with the rest, and one of 80 km/h the other way with nothing. Of a record
-/// that the recorder did not finish, 150 km/h is a bound above all answers.
+/// A lateral ΔV of −26 km/h agrees with the other evidence, and one of 80 km/h in the other direction with
+/// nothing. In a record that the recorder did not finish, 150 km/h is a bound above all answers.
 #[test]
 fn an_estimate_names_what_contradicts_it_and_its_warnings() {
     let text = include_str!("../../../fixtures/estimate.toml");
@@ -384,7 +384,8 @@ proptest! {
     }
 }
 
-/// Whatever looks like a key and is none, and a table without any key: every row would be the template.
+/// Columns that look like a key and are not one, and a table without any key: every row would be the
+/// template.
 #[test]
 fn no_table_is_the_template_in_silence() {
     let one = || doubles(&[Some(10.0)]);
@@ -403,7 +404,7 @@ fn no_table_is_the_template_in_silence() {
         assert!(!message.contains('\u{1b}'), "{message}");
         assert!(columns_kept(batch(vec![(column, one())]).schema_ref()).is_err(), "{column}");
     }
-    // A column of the table's own beside one key, with dots and a unit.
+    // A column of the table's own in addition to one key, with dots and a unit.
     for own in ["weather.temperature [C]", "Speed", "driver.age"] {
         let results = rows(
             Job::Reconstruct,
@@ -413,7 +414,7 @@ fn no_table_is_the_template_in_silence() {
     }
 }
 
-/// An empty list is no list that is left out.
+/// An empty list is not the same as an omitted list.
 #[test]
 fn an_empty_list_is_refused_in_its_row() {
     use arrow_array::ListArray;
@@ -448,7 +449,7 @@ fn decimals_and_halves_are_numbers() {
     assert_eq!(of(Arc::new(halves)), of(same));
 }
 
-/// A number without a unit is SI, and that is told of the columns that have such.
+/// A number without a unit is in SI units, and the columns with such numbers are reported.
 #[test]
 fn assumed_units_are_told() {
     let texts = |texts: Vec<&str>| -> ArrayRef { Arc::new(StringArray::from(texts)) };
@@ -522,7 +523,7 @@ fn avoided(case: &str) -> RecordBatch {
 }
 
 /// From a stop, 8 m with 1.6 m/s² on the first 6: the vehicle never reaches a limit of 50 km/h. With a
-/// reaction of 0.3 s it stops before the other's way, whatever 50 km/h at the demand would do.
+/// reaction of 0.3 s it stops before the other's path, whatever would happen from 50 km/h at the demand.
 #[test]
 fn a_vehicle_from_a_stop_is_asked_at_the_speed_that_it_reaches() {
     let case = include_str!("../../../fixtures/avoid/from-stop.toml");

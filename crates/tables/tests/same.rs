@@ -36,7 +36,7 @@ fn number(results: &RecordBatch, column: &str, row: usize) -> Option<f64> {
     array.is_valid(row).then(|| array.value(row))
 }
 
-/// What the program says of a text: its JSON, or its sentence.
+/// The answer of the program to a text: its JSON, or its error.
 fn program(text: &str, analyse: fn(&Case) -> Result<Analysis, Failure>) -> Result<Json, String> {
     let file = CaseFile::parse("case.toml", text).map_err(|errors| errors.one_line())?;
     match analyse(&file.case) {
@@ -54,7 +54,7 @@ fn program(text: &str, analyse: fn(&Case) -> Result<Analysis, Failure>) -> Resul
     }
 }
 
-/// Compares a row with what the program says; returns how many numbers there are.
+/// Compares a row with the answer of the program; returns the number of numbers.
 fn compare(
     name: &str,
     job: Job,
@@ -161,7 +161,7 @@ fn flat_rows_are_the_program() {
     assert!(numbers > 12000, "{numbers} numbers");
 }
 
-/// The template alone, and rows that say nothing.
+/// The template alone, and empty rows.
 #[test]
 fn a_template_is_the_program() {
     let empty = arrow_array::new_null_array(&arrow_schema::DataType::Null, 2);

@@ -23,7 +23,7 @@ pub enum Advance<T = f64> {
 }
 
 impl<T: Real> Advance<T> {
-    /// (s) the time over a distance (m) from where it is at the beginning.
+    /// (s) the time over a distance (m) from its position at the beginning.
     ///
     /// # Errors
     /// If the distance is negative, or a speed or the acceleration is not positive.

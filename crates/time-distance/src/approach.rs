@@ -59,15 +59,15 @@ pub enum Phase<T = f64> {
     },
 }
 
-/// What a speed at the beginning of a phase is called where it is refused.
+/// The name of a speed at the beginning of a phase in a refusal.
 const FROM: &str = "speed where a phase before the impact begins";
 /// The same for the time that a phase takes.
 const LASTS: &str = "duration of a phase before the impact";
 /// The same for its length.
 const LONG: &str = "length of a phase before the impact";
 
-/// The beginning of a phase of which the end is known. Time and position of the impact are zero, so those
-/// before it are negative.
+/// The beginning of a phase whose end is known. Time and position of the impact are zero, so those before it
+/// are negative.
 ///
 /// # Errors
 /// If a number is impossible: a negative length, a speed that would have been negative, an acceleration

@@ -5,10 +5,10 @@ use real::Real;
 /// Halvings of an interval after which nothing is left of it.
 const MOST_HALVINGS: usize = 200;
 
-/// (–) by which the square of a speed at its stop may be off, in that before.
+/// (–) rounding error of the square of a speed at a stop, as a share of that at the beginning of the leg.
 const ROUNDING: f64 = 1e-14;
 
-/// (s) after which nobody waits for a road user to arrive.
+/// (s) longest time after which a road user still counts as arriving.
 const LONGEST: f64 = 1e9;
 
 /// The beginning of a stretch of constant jerk, which lasts until the next begins.
@@ -46,8 +46,8 @@ impl<T: Real> Leg<T> {
     }
 }
 
-/// A motion: its legs in the order of their times. Before the first it moves as in that, after the last as in
-/// the last. The speed must not be negative anywhere, so that a position is reached once.
+/// A motion: its legs in the order of their times. Before the first leg it moves as in the first, after the
+/// last as in the last. The speed must not be negative anywhere, so that a position is reached once.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<'a, T = f64> {
     legs: &'a [Leg<T>],
@@ -76,7 +76,7 @@ impl<'a, T: Real> Course<'a, T> {
         }
     }
 
-    /// (s) when it first reaches a position (m), from its first leg on; `None` where it never does.
+    /// (s) the time at which it first reaches a position (m), from its first leg on; `None` if it never does.
     #[must_use]
     pub fn reaches(&self, position: T) -> Option<T> {
         let first = self.legs.first()?;
@@ -94,7 +94,7 @@ impl<'a, T: Real> Course<'a, T> {
     }
 }
 
-/// (s) when a leg reaches a position that lies within it.
+/// (s) the time at which a leg reaches a position that lies within it.
 fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> {
     let lasts = if leg.jerk.value() == 0.0 {
         at_constant_acceleration(leg, end.is_some(), position)?
@@ -112,7 +112,7 @@ fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> 
     Some(time - (step - T::from(step.value())))
 }
 
-/// (s) from the beginning of the leg; `None` where it stops before, which one that ends does not.
+/// (s) from the beginning of the leg; `None` if it stops before, which a leg that ends does not.
 fn at_constant_acceleration<T: Real>(leg: &Leg<T>, ends: bool, position: T) -> Option<f64> {
     let [speed, acceleration] = [leg.speed.value(), leg.acceleration.value()];
     let way = position.value() - leg.position.value();

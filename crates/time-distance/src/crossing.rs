@@ -1,4 +1,4 @@
-//! Where two paths cross, and who is in the zone when.
+//! The crossing of two paths, and the times at which each road user is in the zone.
 
 use pim_core::InvalidInput;
 use real::Real;
@@ -27,7 +27,7 @@ pub struct Crossing<T = f64> {
     parties: [Party<T>; 2],
 }
 
-/// When a road user is in the zone that both sweep.
+/// The time that a road user is in the zone that both sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occupancy<T = f64> {
     /// (s) its front enters; `None` where it never does.
@@ -40,7 +40,7 @@ impl<T: Real> Crossing<T> {
     /// From the angle (rad) between the directions and the outlines.
     ///
     /// # Errors
-    /// Where the paths are parallel, an outline is impossible, or a number is not finite.
+    /// If the paths are parallel, an outline is impossible, or a number is not finite.
     pub fn new(angle: T, parties: [Party<T>; 2]) -> Result<Self, InvalidInput> {
         check::finite("angle between the paths", angle.value())?;
         let (sin, _) = angle.sin_cos();
@@ -64,8 +64,9 @@ impl<T: Real> Crossing<T> {
         (other + own * cos.abs()) / (sin.abs() * 2.0)
     }
 
-    /// (m) how far party 1 goes on until its rear has left the zone; 0 if it is out of it. It is `aside` (m)
-    /// of the middle of the strip that party 0 sweeps, positive to the left of that one's direction.
+    /// (m) distance that party 1 still has to travel until its rear has left the zone; 0 if it has already
+    /// left it. Party 1 is `aside` (m) from the middle of the strip that party 0 sweeps, positive to the left
+    /// of the direction of party 0.
     #[must_use]
     pub fn way_out(&self, aside: T) -> T {
         let [_, party] = &self.parties;
@@ -89,8 +90,8 @@ impl<T: Real> Crossing<T> {
 }
 
 impl<T: Real> Occupancy<T> {
-    /// (s) by how much this one leaves before the other enters; negative where both are in the zone together.
-    /// `None` where the other never enters.
+    /// (s) the time from this one's leaving to the other's entering; negative if both are in the zone
+    /// together. `None` if the other never enters.
     #[must_use]
     pub fn margin_before(&self, other: &Self) -> Option<T> {
         let enters = other.enters?;

@@ -11,15 +11,15 @@ use crate::course::{Course, Leg, first_that_holds};
 pub struct Gap<T = f64> {
     /// (m) the distance; negative where they would overlap.
     pub distance: T,
-    /// (s) when.
+    /// (s) its time.
     pub time: T,
     /// (m/s) the speed with which the one behind then approaches.
     pub closing: T,
 }
 
 /// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is
-/// the difference of their positions. It has to be looked for during the motion: two vehicles that stand
-/// apart in the end may have met before. The one ahead may come nearer, with a negative speed.
+/// the difference of their positions. The whole motion has to be searched: two vehicles that stand apart in
+/// the end may have met before. The one ahead may come nearer, with a negative speed.
 #[must_use]
 pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, to]: [T; 2]) -> Gap<T> {
     let mut least = gap_at(behind, ahead, from);
@@ -33,8 +33,8 @@ pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, 
     least
 }
 
-/// The first contact of `behind` with `ahead` from time `from` (s) to `to` (s): where the gap between them
-/// is first zero; `None` where it never is. The one ahead may come nearer, with a negative speed.
+/// The first contact of `behind` with `ahead` from time `from` (s) to `to` (s): the time at which the gap
+/// between them is first zero; `None` if it never is. The one ahead may come nearer, with a negative speed.
 #[must_use]
 pub fn first_contact<T: Real>(
     behind: &Course<'_, T>,
@@ -66,7 +66,7 @@ fn gap_at<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, time: T) -> Ga
 }
 
 /// Goes through the pieces from time `from` (s) to `to` (s) in which the gap only grows or only shrinks, in
-/// their order, until one breaks it off.
+/// their order, until the result for one of them breaks the loop.
 fn pieces<T: Real, B>(
     behind: &Course<'_, T>,
     ahead: &Course<'_, T>,
@@ -99,7 +99,7 @@ fn pieces<T: Real, B>(
     ControlFlow::Continue(())
 }
 
-/// (s) the time at which the next leg begins; infinite where none follows.
+/// (s) the time at which the next leg begins; infinite if none follows.
 fn next_border<T: Real>(course: &Course<'_, T>, time: T) -> T {
     let next = course.legs().iter().find(|leg: &&Leg<T>| leg.time.value() > time.value());
     next.map_or(T::from(f64::INFINITY), |leg| leg.time)

@@ -1,4 +1,4 @@
-//! How a driver answers a demand: reaction, swell of the brakes, full deceleration.
+//! A driver's response to a demand: reaction, swell of the brakes, full deceleration.
 
 use pim_core::InvalidInput;
 use real::Real;
@@ -24,8 +24,8 @@ pub enum Swell {
     FullSpeed,
 }
 
-/// What a driver does from the reaction demand on. Each method that takes a `speed` (m/s, not negative) means
-/// the speed at the demand, and each `distance` (m, not negative) is measured from there.
+/// What a driver does from the reaction demand on. In all methods, `speed` (m/s, not negative) is the speed
+/// at the demand, and `distance` (m, not negative) is measured from the position there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response<T = f64> {

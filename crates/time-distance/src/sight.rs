@@ -1,4 +1,4 @@
-//! What obstacles hide.
+//! The sight past obstacles.
 
 use pim_core::Vector2;
 
@@ -7,7 +7,7 @@ use crate::course::first_that_holds;
 /// Steps of the secant after which it has long converged.
 const MOST_SECANTS: usize = 12;
 
-/// (–) to which share of the step in which it lies the moment is found at which a corner comes into line.
+/// (–) accuracy of the moment at which a corner comes into line, as a share of the step in which it lies.
 const IN_LINE: f64 = 1e-12;
 
 /// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners
@@ -26,9 +26,9 @@ pub fn sees(from: Vector2<f64>, to: Vector2<f64>, outline: &[Vector2<f64>]) -> b
     !(contains(outline, from) && contains(outline, to))
 }
 
-/// (s) the first moment, from `from` (s) to `to` (s), from which on one road user sees the other until it
-/// does not any more; `None` where it never does. The positions at a time are those of the two; the sight is
-/// asked in `steps` equal steps, and its moment is found between two of them.
+/// (s) the first moment, from `from` (s) to `to` (s), at which one road user sees the other; `None` if it
+/// never does. `positions` gives the positions of both at a time; the sight is tested at `steps` equal steps,
+/// and its moment is found between two of them.
 pub fn first_sight(
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
     obstacles: &[&[Vector2<f64>]],
@@ -43,9 +43,8 @@ pub fn first_sight(
     }
 }
 
-/// (s) since when one road user has seen the other without a break, at the time `to` (s); `from` (s) where it
-/// has all the time since then, and `None` where it does not at `to`. The sight is asked as by
-/// [`first_sight`].
+/// (s) the moment since which one road user has seen the other without a break until `to` (s): `from` (s) if
+/// it always has since then, and `None` if it does not at `to`. The sight is tested as by [`first_sight`].
 pub fn free_since(
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
     obstacles: &[&[Vector2<f64>]],

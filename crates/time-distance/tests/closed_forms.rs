@@ -1,9 +1,9 @@
-//! The closed forms of a response beside a simulation that knows none of them.
+//! The closed forms of a response, compared with a simulation that uses none of them.
 
 use proptest::prelude::*;
 use time_distance::{Course, Response, Swell};
 
-/// One road user in small steps: what it does at a time is asked of the definition alone.
+/// One road user in small steps: its acceleration at a time is computed from the definition alone.
 struct Stepped {
     reaction: f64,
     swell: f64,
@@ -116,7 +116,8 @@ proptest! {
         let place = share * stop;
         let time = response.arrival(v, place).unwrap();
         near(response.speed_to_arrive_after(place, time), v, v, "temporal");
-        // Later than it would stop, the place is passed by none that does not stop before it.
+        // If the time is after the stop, only a vehicle that stops before the place has not passed it by
+        // then.
         let spatial = response.speed_to_stop_within(place);
         let late = response.stopping_time(spatial) + 1.0;
         near(response.speed_to_arrive_after(place, late), spatial, v, "without end");
@@ -133,7 +134,7 @@ proptest! {
         }
     }
 
-    /// Derivatives beside central differences, through every branch.
+    /// Derivatives compared with central differences, through every branch.
     #[test]
     fn derivatives_are_exact((v, reaction, swell, full, form) in scenes(), share in 0.05..0.9_f64) {
         use time_distance::Real;

@@ -1,4 +1,4 @@
-//! Courses, crossings, gaps and sight beside brute force.
+//! Courses, crossings, gaps and sight, compared with brute force.
 
 use proptest::prelude::*;
 use time_distance::{
@@ -40,7 +40,7 @@ fn an_approach_is_followed_backwards() {
     // Followed forward it is there again.
     let again = skid.after(-skid.time);
     assert!((again.speed - impact.speed).abs() < 1e-12 && again.position.abs() < 1e-12);
-    // Any two of its numbers tell the rest.
+    // Any two of its numbers determine the others.
     let (speed, distance, time, acceleration) = (skid.speed, -skid.position, -skid.time, -7.0);
     for phase in [
         Phase::For { time, acceleration },
@@ -59,7 +59,7 @@ fn an_approach_is_followed_backwards() {
             assert!((found - expected).abs() < 1e-12, "{phase:?}: {found} {expected}");
         }
     }
-    // What cannot be.
+    // Impossible values.
     assert!(approach(&impact, Phase::FromOver { speed: 1.0, distance: 0.0 }).is_err());
     assert!(approach(&impact, Phase::FromFor { speed: -1.0, time: 1.0 }).is_err());
     assert!(approach(&impact, Phase::OverFor { distance: 1.0, time: 1.0 }).is_err());
@@ -94,7 +94,7 @@ fn a_start_takes_its_time() {
 }
 
 proptest! {
-    /// As by legs of constant acceleration, followed by halving.
+    /// The same as by legs of constant acceleration, with the time found by halving.
     #[test]
     fn a_start_is_that_of_its_legs(acceleration in 0.2..5.0_f64, most in 0.5..15.0_f64, distance in 0.0..80.0_f64) {
         let reached = most / acceleration;
@@ -177,7 +177,7 @@ fn a_corner_hides_until_the_line_is_free() {
     assert!(sees(p(8.0, 0.0), p(12.0, 5.0), &house) && !sees(p(6.0, 0.0), p(12.0, 5.0), &house));
     // Inside of it nothing is seen, and nothing hides without an outline.
     assert!(!sees(p(1.0, 4.0), p(2.0, 5.0), &house) && sees(p(0.0, 0.0), p(1.0, 0.0), &[]));
-    // Free from the left of the house, hidden by it, and free again: what counts is the last time.
+    // Free from the left of the house, hidden by it, and free again: the last time counts.
     let wide = |t: f64| [p(-20.0 + 10.0 * t, 0.0), p(12.0 - 20.0 * (5.0 - t), 5.0)];
     // At 0 s the other one is at (−88, 5), left of the house.
     assert_eq!(first_sight(wide, &[&house], [0.0, 5.0], 500), Some(0.0));

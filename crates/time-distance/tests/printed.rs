@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use time_distance::{Course, Crossing, Leg, Party, Phase, Response, Swell, approach, least_gap};
 use toml::{Table, Value};
 
-/// Those that this crate has nothing for, and why.
+/// The examples that this crate does not cover, and why.
 const NOT_COVERED: &[(&str, &str)] = &[
     (
         "sicher-motorrad-swell-table",
@@ -429,12 +429,13 @@ fn check(id: &str, e: &Example) {
     }
 }
 
-/// Each part of a skid is worth a speed of its own; together they are worth the root of the squares.
+/// Each part of a skid corresponds to a speed of its own; together they give the root of the sum of the
+/// squares.
 fn skid_of(parts: &[f64]) -> f64 {
     parts.iter().rev().fold(0.0, |v, worth| skid(braking(*worth, 7.0), 7.0, v))
 }
 
-/// Rules that are a reaction time and a deceleration by other names.
+/// Rules of thumb that are equivalent to a reaction time and a deceleration.
 fn rules_of_thumb(id: &str, e: &Example) {
     let each =
         |key: &str, f: &dyn Fn(f64) -> f64| e.all("inputs", key).into_iter().map(f).collect::<Vec<f64>>();

@@ -1,5 +1,5 @@
-//! The distance from the beginning of braking to the impact, backwards from the last speed, against that by
-//! recorders.
+//! The distance from the beginning of braking to the impact, backwards from the last speed, compared with
+//! that by recorders.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -72,7 +72,7 @@ fn braked(text: &str) -> Vec<Braked> {
 }
 
 /// How hard a driver braked is not known: from not at all to the greatest friction of the manual of EDCRASH,
-/// 1.20 on new dry asphalt. Whoever takes full braking on travelled dry asphalt, 0.55 to 0.80, is wrong in
+/// 1.20 on new dry asphalt. Full braking on travelled dry asphalt, 0.55 to 0.80, is a wrong assumption in
 /// most of the crashes.
 #[test]
 fn braked_distances_of_recorders_lie_within_their_intervals() {

@@ -125,15 +125,15 @@ pub struct StartMotion {
     pub rest: Rest<f64>,
 }
 
-/// The starts that lead to a rest, the likeliest first: nearest to the point on the path if one is given,
-/// then with the least turn; of turns to either side that are as great, the one with less energy.
+/// The starts that lead to a rest, the most likely first: nearest to the point on the path if one is given,
+/// then with the smallest turn; of equal turns to either side, the one with less energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     found: [Option<StartMotion>; MOST_STARTS],
 }
 
 impl Starts {
-    /// The likeliest start.
+    /// The most likely start.
     #[must_use]
     pub fn first(&self) -> Option<&StartMotion> {
         self.iter().next()
@@ -144,7 +144,8 @@ impl Starts {
         self.found.iter().flatten()
     }
 
-    /// Inserts a start of a body in order, unless it is already there or the list is full of likelier ones.
+    /// Inserts a start of a body in order, unless it is already there or the list is full of more likely
+    /// ones.
     fn insert(&mut self, departure: StartMotion, body: &Body<f64>) {
         if self.iter().any(|other| same(&other.motion, &departure.motion)) {
             return;
@@ -243,7 +244,7 @@ pub fn to_start(
 
 /// Finds the motion near a `guess` that leads to the rest of `target`: for a rest that differs little from
 /// one with a known start, as in samples of uncertain inputs. It runs Newton's method once from the guess;
-/// only if that fails, it searches as [`to_start`] does, and takes the likeliest.
+/// only if that fails, it searches as [`to_start`] does, and takes the most likely.
 ///
 /// The heading of the target should include full turns, so that the motion turns as far as the guess.
 ///

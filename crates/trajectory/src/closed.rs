@@ -7,7 +7,7 @@
 //! // All wheels locked for 25 m at friction 0.7, on the level: √(2 · 0.7 · 9.80665 · 25) = 18.5 m/s.
 //! let slide = Slide { friction: 0.7, drag_share: 1.0, grade: 0.0, distance: 25.0 };
 //! assert!((slide.speed_at_start(0.0)? - 18.526).abs() < 0.001);
-//! // It left at 4° from its heading and turned by 2° on its way: it did not spin.
+//! // It left at 4° from its heading and turned by 2° on its path: it did not spin.
 //! assert!(!spins(4_f64.to_radians(), 2_f64.to_radians(), 25.0, 2.7, 0.0)?);
 //! assert!(spins(SPIN_SIDESLIP + 0.01, 2_f64.to_radians(), 25.0, 2.7, 0.0)?);
 //! # Ok::<(), trajectory::InvalidInput>(())

@@ -66,7 +66,7 @@ struct Stand {
 }
 
 impl Stand {
-    /// (m) what a wheel goes in a whole step at this rate.
+    /// (m) displacement of a wheel in a whole step at this rate.
     fn rate(&self, wheel: usize) -> [f64; 2] {
         let ([x, y], [cx, cy], [vx, vy, omega]) = (self.wheels[wheel], self.center, self.motion);
         [vx - omega * (y - cy), vy + omega * (x - cx)]
@@ -141,9 +141,9 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.first(at, path, before, middle).or_else(|| self.first(at, path, middle, after))
     }
 
-    /// What is sure of the path of every wheel between two positions, which leaves the straight line by at
-    /// most `bow` (m). Where no border is crossed twice, a wheel that ends on its zone has never left it:
-    /// what it entered it is still in.
+    /// What is certain about the path of every wheel between two positions, which leaves the straight line by
+    /// at most `bow` (m). If no border is crossed twice, a wheel that ends on its zone has never left it, as
+    /// it would still be in any zone that it entered.
     fn passage(&self, bow: f64, before: &Stand, after: &Stand) -> Passage {
         let ways = || before.wheels.iter().zip(&after.wheels);
         let zones = self.ground.zones.iter();
@@ -151,7 +151,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         all.max().unwrap_or(Passage::Clear)
     }
 
-    /// (m) the longest way of a wheel in a step of `h` (s): it is not much faster within a step than at its
+    /// (m) the longest path of a wheel in a step of `h` (s): it is not much faster within a step than at its
     /// ends.
     fn most_way(&self, first: Phase<f64>, last: Phase<f64>, h: f64) -> f64 {
         let fastest = |w: [f64; 3]| length(w[0], w[1]) + w[2].abs() * self.radius;
@@ -275,7 +275,7 @@ mod tests {
     use crate::number::Direction;
     use crate::step::Phase;
 
-    /// Places on a path at which its wheels are looked at.
+    /// Number of places on a path at which its wheels are examined.
     const PLACES: u32 = 400;
 
     fn chassis() -> Chassis {
@@ -321,7 +321,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(3000))]
 
-        /// No wheel leaves its chord by more than the bow, and none comes farther than said.
+        /// No wheel leaves its chord by more than the bow, and none goes farther than the clearance allows.
         #[test]
         fn bounds_of_a_path_hold((ends, h) in step()) {
             let (chassis, ground) = (chassis(), Ground::level(0.7));
@@ -342,8 +342,8 @@ mod tests {
             prop_assert!(far <= farthest + 1e-12, "{far} {farthest}");
         }
 
-        /// What is said of the passage of a border holds at many places of the path, with the curvature that
-        /// the path really has, and with a border where a wheel starts.
+        /// The classification of the passage of a border holds at many places of the path, with the actual
+        /// curvature of the path, and with a border where a wheel starts.
         #[test]
         fn a_path_passes_a_border_as_said(
             (ends, h) in step(),

@@ -75,7 +75,7 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     Err(NoRest::TooManySteps { steps: run.steps, time: run.now.time.value(), state: run.state().values() })
 }
 
-/// (m) the path that is left, from which on a vehicle keeps its forces but for their directions.
+/// (m) remaining path below which the forces on a vehicle only change their directions.
 const FORESEEN: f64 = 0.01;
 
 fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), InvalidInput> {
@@ -386,10 +386,10 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     }
 }
 
-/// A step that ends at a border, beyond which the forces are others.
+/// A step that ends at a border, beyond which the forces are different.
 struct Short<T: Real> {
     end: Phase<T>,
-    /// That of the heading at the end.
+    /// The direction of the heading at the end.
     direction: Direction<T>,
     /// (J/kg) work of the tyres' forces, negative.
     work: T,
@@ -411,7 +411,7 @@ pub(crate) const SHORTEST: f64 = 1e-9;
 /// Maximum number of rounds of Newton's method to a border; two suffice on a smooth path.
 const MOST_ROUNDS: u32 = 8;
 
-/// (s) from so near to the border one round of Newton's method reaches it to well below a nanometre, even
+/// (s) from this near to the border, one round of Newton's method reaches it to well below a nanometre, even
 /// where a wheel is accelerated by 100 m/s² on its circle: its error is ½ a t².
 const ON_THE_BORDER: f64 = 1e-6;
 

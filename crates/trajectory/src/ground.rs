@@ -109,7 +109,7 @@ impl Edge {
     }
 }
 
-/// What is sure of a path.
+/// What is certain about a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Passage {
     /// It meets no border.
@@ -155,8 +155,8 @@ impl Region<'_> {
         }
     }
 
-    /// What is sure of a smooth path from one point to another, which leaves the straight line between them
-    /// by at most `bow` (m). It may start on the border.
+    /// What is certain about a smooth path from one point to another, which leaves the straight line between
+    /// them by at most `bow` (m). It may start on the border.
     pub(crate) fn passage(&self, from: [f64; 2], to: [f64; 2], bow: f64) -> Passage {
         match *self {
             Self::HalfPlane { point, into } => {
@@ -237,7 +237,7 @@ fn is_monotone([from, to]: [f64; 2], bow: f64) -> bool {
 }
 
 /// Whether a path from one point to another is shown to keep clear of a side of a polygon: it keeps to one
-/// side of its line, or has nothing beside it, or the whole side lies beyond the path.
+/// side of its line, or passes nowhere alongside it, or the whole side lies beyond the path.
 fn is_apart([from, to]: [[f64; 2]; 2], [start, end]: [[f64; 2]; 2], bow: f64) -> bool {
     // Most sides are far away, along an axis of the scene.
     let is_beside = |i: usize| {

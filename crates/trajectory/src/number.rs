@@ -62,11 +62,11 @@ pub(crate) trait Number:
         Self::select_mask(one, one, other)
     }
 
-    /// The square root applied `halvings` times to a positive number, without derivatives. It may be off by
-    /// some per cent.
+    /// The square root applied `halvings` times to a positive number, without derivatives. It may be off by a
+    /// few per cent.
     fn rough_root(self, halvings: u32) -> Self;
 
-    /// The reciprocal of that root, as roughly.
+    /// The reciprocal of that root, equally rough.
     fn rough_inverse_root(self, halvings: u32) -> Self;
 
     /// The number, which is not negative, with the sign of `other`.

@@ -64,8 +64,8 @@ impl<T: Number> Progress<T> {
         Self { phase, time: zero, distance: zero, work: zero, speed: length([u, v]) }
     }
 
-    /// The progress after a step of the length `h` (s) to `end`, in which the tyres' forces did so much
-    /// `work` (J/kg).
+    /// The progress after a step of the length `h` (s) to `end`, in which the tyres' forces did the `work`
+    /// (J/kg).
     #[inline(always)]
     pub(crate) fn after(&self, end: Phase<T>, work: T, h: T) -> Self {
         let ([x0, y0, _], [x1, y1, _]) = (self.phase.q, end.q);

@@ -89,7 +89,7 @@ pub(crate) fn cubic<T: Real>(s: T, span: T, [p0, p1]: [T; 2], [v0, v1]: [T; 2]) 
 pub struct MotionEnergy<T = f64> {
     /// (J) kinetic energy at the start.
     pub start: T,
-    /// (J) taken by the tyres.
+    /// (J) absorbed by the tyres.
     pub friction: T,
     /// (J) given by the grade, negative uphill.
     pub grade: T,

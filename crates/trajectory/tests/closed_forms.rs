@@ -31,7 +31,7 @@ fn a_straight_slide_with_locked_wheels() {
     }
 }
 
-/// A vehicle with hardly any resistance rolls for hours, which is no rest.
+/// A vehicle with hardly any resistance rolls for hours, which does not count as rest.
 #[test]
 fn a_vehicle_without_drag_does_not_come_to_rest() {
     let start = start(0.3, [8.0, 2.0], 0.1);

@@ -39,11 +39,11 @@ pub enum Shape {
         /// (unit of the input) greatest value.
         high: f64,
     },
-    /// Triangular between two bounds, likeliest at a value between.
+    /// Triangular between two bounds, with the most likely value between them.
     Triangular {
         /// (unit of the input) least value.
         low: f64,
-        /// (unit of the input) likeliest value.
+        /// (unit of the input) most likely value.
         mode: f64,
         /// (unit of the input) greatest value.
         high: f64,
@@ -178,7 +178,7 @@ impl Distribution {
         Ok(Self { shape: Shape::Uniform { low, high }, truncation: None, transform })
     }
 
-    /// Triangular between two bounds, likeliest at the mode, which may equal a bound.
+    /// Triangular between two bounds, with the most likely value at the mode, which may equal a bound.
     ///
     /// # Errors
     /// If a number is not finite, `low` is not below `high` or the mode is outside.

@@ -44,7 +44,7 @@ pub enum InvalidDistribution {
     ModeOutside {
         /// (unit of the input) lower bound.
         low: f64,
-        /// (unit of the input) likeliest value.
+        /// (unit of the input) most likely value.
         mode: f64,
         /// (unit of the input) upper bound.
         high: f64,

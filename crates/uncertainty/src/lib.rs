@@ -5,9 +5,8 @@
 //! use crash3::{Profile, Stiffness, crush_energy};
 //! use uncertainty::{Distribution, Function, SamplingMethod, Settings, propagate};
 //!
-//! // SAE 980025, appendix: six depths of crush over 65 in of the GMC Jimmy's front. How sure is its crush
-//! // energy (Eq 5), if each depth was
-//! // measured to half an inch?
+//! // SAE 980025, appendix: six depths of crush over 65 in of the GMC Jimmy's front. How accurate is its
+//! // crush energy (Eq 5) if each depth was measured to half an inch?
 //! let [inch, width] = [0.0254, 65.0 * 0.0254];
 //! let depth = |depth: f64| Distribution::normal(depth * inch, 0.5 * inch);
 //! let inputs = [depth(21.3)?, depth(20.3)?, depth(13.8)?, depth(11.3)?, depth(5.3)?, depth(4.8)?];

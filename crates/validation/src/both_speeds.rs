@@ -88,7 +88,7 @@ pub fn speed_error(found: f64, true_speed: f64) -> (f64, Option<f64>) {
 /// speeds for the vehicles that moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BothSpeedErrors {
-    /// Of all.
+    /// From either.
     pub all: [ErrorRate; 2],
     /// From momentum alone.
     pub momentum: [ErrorRate; 2],

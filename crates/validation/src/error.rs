@@ -65,7 +65,7 @@ pub enum ValidationError {
     /// The inputs of an impact law or of a vehicle are invalid.
     #[error(transparent)]
     Law(#[from] InvalidInput),
-    /// Something else of a test has no answer.
+    /// Another part of a test has no answer.
     #[error("test {test}: {source}")]
     Test {
         /// The test.

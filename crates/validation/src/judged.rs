@@ -1,8 +1,8 @@
 //! Both speeds of the staged collisions as a posterior, and whether its intervals contain the true ones.
 //!
-//! Known of a test are its masses, its headings, its crush profiles and the published motion after the
-//! impact. All further assumptions, [`FITTED`], were fitted to real crashes, none of them staged. The errors
-//! specific to a staged test were set before any interval was compared with a true speed:
+//! The known data of a test are its masses, its headings, its crush profiles and the published motion after
+//! the impact. All further assumptions, [`FITTED`], were fitted to real crashes, none of them staged. The
+//! errors specific to a staged test were set before any interval was compared with a true speed:
 //!
 //! | quantity | error | why |
 //! |---|---|---|
@@ -32,7 +32,7 @@ use crate::published::{DEGREE, Published};
 use crate::scene::{Collided, Scene, length_and_direction, polar};
 use crate::staged::Staged;
 
-/// (rad/s) candidates for the spread of the yaw rate after the impact; the likeliest is used.
+/// (rad/s) candidates for the spread of the yaw rate after the impact; the most likely one is used.
 const YAW_RATE_SDS: [f64; 5] = [0.35, 0.5, 0.7, 1.0, 1.4];
 /// (m/s) a vehicle below this speed stood still, which is known.
 const STOOD: f64 = 1e-9;
@@ -190,7 +190,7 @@ pub fn judge_speeds_assuming(
     Ok(JudgedTests { tests: judged.collect::<Result<_, _>>()? })
 }
 
-/// (rad/s) for each test, the spread of the yaw rates that is likeliest for the other tests at their true
+/// (rad/s) for each test, the spread of the yaw rates that is most likely for the other tests at their true
 /// speeds.
 fn yaw_rate_sds_of_others(
     subjects: &[Subject],

@@ -135,7 +135,7 @@ impl Way<'_> {
             .map_err(|source| self.failed(source))
     }
 
-    /// The likeliest motion that leads to the published distance and turn in a direction (rad).
+    /// The most likely motion that leads to the published distance and turn in a direction (rad).
     fn published_start(&self, direction: f64) -> Result<Motion, ValidationError> {
         let starts = self.starts(&self.rest.target(direction, self.heading))?;
         let first = starts.first().map(|departure| departure.motion);

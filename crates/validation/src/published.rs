@@ -116,7 +116,7 @@ impl Table3 {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Figure {
-    /// The result of ours that corresponds to it.
+    /// The key of our corresponding result.
     pub(crate) key: String,
     pub(crate) quantity: String,
     pub(crate) unit: PrintedUnit,

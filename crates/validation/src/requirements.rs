@@ -1,12 +1,12 @@
-//! What the methods are required to do, and the results of the tests of that: a laboratory's record of their
-//! validation (ISO/IEC 17025:2017, 7.2.2.4).
+//! The requirements of the methods, and the results of their tests: a laboratory's record of the validation
+//! (ISO/IEC 17025:2017, 7.2.2.4).
 
 use crate::{Cell, Validation};
 
-/// (–) of the energy lost: by how much it may differ from the work of the impulses.
+/// (–) largest difference of the energy lost from the work of the impulses, as a share of it.
 const BALANCE: f64 = 1e-12;
 
-/// A requirement, its test, when it is met, and the result.
+/// A requirement, its test, its acceptance criterion and the result.
 #[derive(Clone, Debug)]
 pub struct Requirement {
     /// Its name.
@@ -15,13 +15,13 @@ pub struct Requirement {
     pub requirement: &'static str,
     /// The test.
     pub test: &'static str,
-    /// When it is met.
+    /// The acceptance criterion.
     pub acceptance: &'static str,
     /// Number of values that were compared.
     pub compared: usize,
-    /// Number of those that are beyond their tolerance, or that are no number.
+    /// Number of those that are beyond their tolerance, or are not a number.
     pub failed: usize,
-    /// (–) greatest difference as a share of its tolerance; infinite for what is no number.
+    /// (–) largest difference as a share of its tolerance; infinite if a value is not a number.
     pub worst: f64,
 }
 
@@ -49,7 +49,7 @@ impl Requirement {
 
 const PRINTED: &str = "the tolerance in its table";
 
-/// Those about printed numbers: how the place of their cells begins, and their words.
+/// The requirements about printed numbers: how the names of their cells begin, and their texts.
 const OF_CELLS: [(&str, [&str; 4]); 8] = [
     ("Table 1", ["rms", "The rms errors of ΔV are those of SAE 980025", "Table 1", PRINTED]),
     ("Table 2", ["delta-v", "ΔV by PIM and by CRASH3 are those of SAE 980025", "Table 2", PRINTED]),

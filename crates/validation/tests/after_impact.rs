@@ -1,4 +1,4 @@
-//! From the impact to rest and back, and both speeds, beside what is published and what other methods give.
+//! From the impact to rest and back, and both speeds, compared with published values and other methods.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 #![allow(clippy::disallowed_methods, reason = "independent formulas, no bits of which are compared")]
@@ -27,7 +27,7 @@ fn with_motion(mark: &str, old: &str, new: &str) -> Data {
 
 /// SAE 2004-01-1207: distance from impact to rest (ft), error in ft over error in % of Table 8; the turn
 /// (degrees, counter-clockwise from above) is that from the heading of the test to the one of Table 7, which
-/// counts clockwise from the way of vehicle 1.
+/// counts clockwise from the course of vehicle 1.
 const REST: [(u8, u8, f64, f64); 5] = [
     (3, 1, 102.8, 4.0),
     (3, 2, 155.0, 10.0 + 19.0),
@@ -84,8 +84,8 @@ fn arm(length: f64, angle: f64) -> [f64; 2] {
 }
 
 /// (ft) where the CG of vehicle 1 may have been at the impact, along and across the line between two centres:
-/// on a circle around its own rest, and on one around that of vehicle 2, moved by what the CGs lay apart.
-/// Half of the distance between the two places that there are, squared, is below zero where there is none.
+/// on a circle around its own rest, and on one around that of vehicle 2, shifted by the distance of the CGs.
+/// Half of the distance between the two possible places, squared, is below zero if there is none.
 fn places(rest: [[f64; 2]; 2], distance: [f64; 2], apart: [f64; 2]) -> (f64, [[f64; 2]; 2]) {
     let (a, b) = (rest[0], [rest[1][0] - apart[0], rest[1][1] - apart[1]]);
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -150,8 +150,8 @@ fn the_way_back_finds_the_published_velocity_again() {
     }
 }
 
-/// What is said of the published rest of test 6: it does not tell the velocity. The speeds are missed by a
-/// third and by a half, and 5° of the direction of the way move that of vehicle 1 by a fifth.
+/// The statement on the published rest of test 6: it does not determine the velocity. The speeds are missed
+/// by a third and by a half, and 5° in the direction of the path move that of vehicle 1 by a fifth.
 #[test]
 fn the_published_rest_does_not_tell_the_velocity() {
     let validation = built_in();
@@ -230,8 +230,8 @@ fn the_impulses_of_the_vehicles_disagree() {
     assert!(all.clone().fold(1.0, f64::min) > 0.085 && all.fold(0.0, f64::max) < 0.395);
 }
 
-/// Test 2 at 14.1 m/s each, test 3 at 9.48 m/s into a standing vehicle, test 6 at 9.61 and 9.54 m/s: what the
-/// speeds after impact say by plain arithmetic.
+/// Test 2 at 14.1 m/s each, test 3 at 9.48 m/s into a standing vehicle, test 6 at 9.61 and 9.54 m/s: the
+/// results from the speeds after impact, by plain arithmetic.
 #[test]
 fn speeds_from_rest_follow_from_those_after_impact() {
     let validation = built_in();
@@ -263,7 +263,7 @@ fn speeds_from_rest_follow_from_those_after_impact() {
         let v1 = (momentum(f64::cos) + masses[1] * v2 / 2.0) / masses[0];
         assert!((row.found[0] - v1).abs() < 1e-9 && (row.found[1] - v2).abs() < 1e-9, "{row:?}");
     }
-    // What the page says of the motion without a direction.
+    // The statement of the page on the motion without a direction.
     assert!(validation.from_rest[3].found[1] < 0.0);
     let slide = &validation.from_rest[2];
     for (after, feet) in slide.after.into_iter().zip([102.8, 155.0]) {

@@ -1,4 +1,4 @@
-//! What is claimed holds, against the print typed anew, and every claim can fail.
+//! The claims hold, compared with the print, which was typed again here, and every claim can fail.
 
 #![allow(
     clippy::unwrap_used,
@@ -310,7 +310,7 @@ fn the_round_trip_finds_the_true_speed() {
         assert!((line.round_trip.ours / expected - 1.0).abs() <= 0.005, "{line:?}");
         let normal_work =
             validation.energies.iter().find(|energies| energies.test == line.test).unwrap().normal.ours;
-        // Into the printed energies goes what the impact took, in place of what SAE 871993 prints.
+        // The energy that the impact took replaces the one that SAE 871993 prints.
         let printed = ENERGIES.iter().find(|(number, _)| *number == line.test).unwrap().1[1];
         let data = with_print(
             &format!("normal     = {printed}\n"),
@@ -439,13 +439,13 @@ fn every_claimed_cell_can_fail() {
     assert_eq!(claimed, validation.claimed());
 }
 
-/// What is said not to come out, does not: a reason that has become idle is found here.
+/// Values that are said to disagree do disagree: a reason that is no longer needed is found here.
 #[test]
 fn every_known_difference_is_one() {
     let validation = built_in();
     let known = |cell: &Cell| !cell.is_claimed();
     for line in &validation.table2 {
-        // The corrected rows from energies whose shares are not known may come out by chance.
+        // The corrected rows from energies with unknown shares may agree by chance.
         let by_chance = [DeltaVRow::CrashCorrected, DeltaVRow::CrashCorrectedImplied].contains(&line.row);
         if line.cells.iter().any(known) && !by_chance {
             let off = line.cells.iter().any(|cell| cell.difference().abs() > 0.1 * FOOT_PER_SECOND);

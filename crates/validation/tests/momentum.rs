@@ -2,8 +2,8 @@
 //!
 //! The data limit what can be expected: the velocities were obtained by integrating the accelerations of each
 //! vehicle, and the impulses on the two vehicles of a test, which should be equal, differ by 9 to 39 %. The
-//! errors listed here are
-//! those of an independent calculation in plain arithmetic, and say how much such velocities are worth.
+//! errors listed here are those of an independent calculation in plain arithmetic, and show how much such
+//! velocities are worth.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 #![allow(clippy::approx_constant, reason = "yaw rates as printed")]
@@ -130,7 +130,7 @@ fn collinear_collisions_from_momentum_and_crush() {
         let answer = solver.unwrap().solve().unwrap();
         assert_eq!(answer.admissible, 1);
         assert_printed(number, errors(answer.speeds, true_speeds), expected, 0.051);
-        // What is found twice differs by what the momenta across the axis do.
+        // The impulses on the two vehicles differ by as much as the momenta across the axis.
         let implied = momentum.implied(answer.speeds).unwrap();
         let size = implied.impulse_vector.norm();
         assert!(implied.disagreement() < 0.6 * size, "test {number}: {}", implied.disagreement() / size);

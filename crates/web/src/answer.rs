@@ -17,7 +17,7 @@ fn solved<'a>(given: &Given, command: &'a str) -> Result<(&'a str, Request, Answ
     let case = &given.file.case;
     let command = if command.is_empty() { case.furthest_purpose().name() } else { command };
     let request = Request::read(command, &RequestOptions::default())?;
-    // What takes long is for a worker.
+    // A command that takes long is left to a worker.
     let answer = request.begin(case).map_err(|_| OptionError::Command(command.to_owned()))?;
     let answer = given.found(answer)?;
     Ok((command, request, answer))
@@ -65,7 +65,7 @@ pub(crate) fn charts(document: &Document) -> Vec<Value> {
     document.charts().map(chart).collect()
 }
 
-/// The table of the answer, or what its recorders stored.
+/// The table of the answer, or the data that its recorders stored.
 fn csv(given: &Given, request: &Request, answer: &Answer) -> Option<String> {
     if matches!(answer, Answer::Recorders(_)) {
         return Some(samples(answer)).filter(|samples| !samples.is_empty());
@@ -76,18 +76,18 @@ fn csv(given: &Given, request: &Request, answer: &Answer) -> Option<String> {
     Some(csv.header().ok()? + &csv.row(row).ok()?)
 }
 
-/// The samples or draws of an answer as CSV, or what recorders stored; empty where there are none.
+/// The samples or draws of an answer as CSV, or the data that recorders stored; empty if there are none.
 pub(crate) fn samples(answer: &Answer) -> String {
     let mut bytes = Vec::new();
     let written = answer.write_samples(CsvStyle::International, &mut bytes);
-    // Nothing keeps a text from being written to the memory.
+    // Writing a text to memory does not fail.
     written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
-/// What leads an answer.
+/// The headline of an answer.
 struct First {
     headline: Vec<String>,
-    /// Where it is one.
+    /// The analysis, if the answer is one.
     analysis: Option<Box<SolvedCase>>,
 }
 
@@ -97,7 +97,7 @@ impl First {
         let of_document = |document: &Document| document.headline().to_vec();
         if command == Purpose::Avoid.name() {
             let found = given.answered(analysis::avoid_at_once(&file.case))?;
-            // A speed that is sought takes its time.
+            // If the speed has to be found first, there is no headline yet, as that takes time.
             let headline = found.map(|found| of_document(&report::avoid(&file.case, &found, *units)));
             return Ok(Self { headline: headline.unwrap_or_default(), analysis: None });
         }
@@ -111,7 +111,7 @@ impl First {
     }
 }
 
-/// What is seen first of a text, of one reading, one analysis and one drawing.
+/// The first view of a text, from one reading, one analysis and one drawing.
 pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> Value {
     made(Given::read(text, None, units).map(|given| {
         let case = &given.file.case;

@@ -1,4 +1,4 @@
-//! What a text says.
+//! The content of a text.
 
 use analysis::{Failure, Judgement};
 use case::{Case, CaseFile, Faults, Purpose, Source};
@@ -49,10 +49,10 @@ fn values(source: &Source) -> Value {
     Value::Object(source.spans().map(value).collect())
 }
 
-/// The command that says what recorders say alone. The purpose of a case is another one.
+/// The command that evaluates recorders alone. It is not among the purposes of a case.
 pub(crate) const RECORDER: &str = "recorder";
 
-/// The commands that can answer, the one that says most first.
+/// The commands that can answer, the most complete one first.
 pub(crate) fn able(case: &Case) -> Vec<&'static str> {
     let judgement = analysis::judge(case);
     [Purpose::Reconstruct, Purpose::Impact, Purpose::Motion, Purpose::Crush, Purpose::Avoid]
@@ -69,8 +69,8 @@ fn has_recorder_table(case: &Case) -> bool {
     recorders.into_iter().any(|recorder| recorder.pre_crash.is_some() || recorder.pulse.is_some())
 }
 
-/// What a case lacks for a purpose. It is judged for a motion and an estimate where it says something of
-/// them; here somebody may want to know.
+/// What a case lacks for a purpose. The judgement covers a motion and an estimate only if the case has data
+/// on them; here a user may ask for any purpose.
 fn obstacle(case: &Case, judgement: &Judgement, purpose: Purpose) -> Option<Faults> {
     let judged = judgement.abilities.iter().find(|ability| ability.purpose == purpose);
     match (judged, purpose) {

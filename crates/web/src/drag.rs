@@ -1,4 +1,4 @@
-//! What somebody moves in the scene, as numbers of the text.
+//! Moves of a user in the scene, as numbers of the text.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
 
-/// (m) and (rad) what a mouse can place, and (m) of a station of the crush.
+/// (m) and (rad) accuracy of a mouse, and (m) that for a station of the crush.
 const PLACE: f64 = 0.01;
 const ANGLE: f64 = PI / 1800.0;
 const DEPTH: f64 = 0.005;
@@ -290,7 +290,7 @@ impl Change {
         self.file.source.text().get(self.file.source.span(key)?)
     }
 
-    /// Gives a quantity another value (SI), in the unit that the file has it in; a range moves as a whole.
+    /// Gives a quantity another value (SI), in its unit in the file; a range moves as a whole.
     pub(crate) fn put(&mut self, key: &str, si: f64, dimension: Dimension, step: f64) -> Result<(), Refused> {
         let value = format!("{key}.value");
         if self.written(&value).is_some() {
@@ -301,7 +301,8 @@ impl Change {
             let inputs = self.file.case.inputs();
             let old = inputs.iter().find(|input| input.path == key).map_or(si, inputs::Input::si);
             let mut ends = ["low", "mode", "high"];
-            // What moves up begins with its upper end: no text on the way is upside down.
+            // A range that moves up gets its upper end first, so that its ends are in order in every
+            // intermediate text.
             if si > old {
                 ends.reverse();
             }
@@ -322,7 +323,7 @@ impl Change {
         self.set(key, &format!("\"{number} {}\"", self.spelling(key).unwrap_or_else(|| unit.to_string())))
     }
 
-    /// A value of TOML for a quantity (SI), in the unit that a file of this unit system has it in.
+    /// A value of TOML for a quantity (SI), in its usual unit in a file of this unit system.
     fn usual(&self, si: f64, dimension: Dimension, step: f64) -> Result<String, Refused> {
         let is_us = self.file.case.unit_system() == UnitSystem::Us;
         let name = match dimension {
@@ -335,7 +336,7 @@ impl Change {
         Ok(format!("\"{} {unit}\"", rounded(si / unit.factor(), step / unit.factor())))
     }
 
-    /// The text that stands under a key, in whichever quotes of TOML.
+    /// The text of a key, in any quotes of TOML.
     fn text(&self, key: &str) -> Option<String> {
         let alone = format!("title = {}", self.written(key)?);
         match CaseFile::part("title", &alone).ok()?.get("title")? {
@@ -376,7 +377,7 @@ fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
             at += part.len();
             continue;
         }
-        // "3cm" has its unit right behind it.
+        // "3cm" has its unit right after the number.
         if end == 0 || word[..end].parse::<f64>().is_err() {
             break;
         }

@@ -21,8 +21,8 @@ pub(crate) fn edit(text: &str, key: &str, value: &str) -> Value {
     })
 }
 
-/// The text with a table of a recorder in it, as it copies out of a printed report: `key` is `pre_crash` or
-/// `pulse` of `[vehicleN.recorder]`. A table that cannot be read is refused, and errors elsewhere are not.
+/// The text with a recorder's table in it, as copied out of a printed report: `key` is `pre_crash` or `pulse`
+/// of `[vehicleN.recorder]`. A table that cannot be read is refused, and errors elsewhere are not.
 pub(crate) fn paste(text: &str, key: &str, table: &str) -> Value {
     made(pasted(text, key, table).map(|text| json!({ "ok": true, "text": text })))
 }
@@ -44,7 +44,7 @@ fn pasted(text: &str, key: &str, table: &str) -> Result<String, Refused> {
     Ok(edited.text)
 }
 
-/// A text of several lines as TOML has it.
+/// A text of several lines in the notation of TOML.
 fn lines_of_toml(lines: &str) -> String {
     let mut written = String::from("\"\"\"\n");
     for line in lines.trim_matches(['\r', '\n']).lines() {
@@ -60,8 +60,8 @@ fn lines_of_toml(lines: &str) -> String {
     written + "\"\"\""
 }
 
-/// (digits) that a quantity keeps in another unit: more than anybody measures, and fewer than would show how
-/// a computer rounds.
+/// (digits) of a quantity in another unit: more than any measurement has, and few enough to hide rounding
+/// errors.
 const DIGITS: usize = 9;
 
 pub(crate) fn convert(text: &str, unit: &str) -> Value {
@@ -83,7 +83,7 @@ pub(crate) fn convert(text: &str, unit: &str) -> Value {
     }
 }
 
-/// The shortest text of a number with at most so many digits.
+/// The shortest text of a number with at most this many digits.
 pub(crate) fn rounded(number: f64, digits: usize) -> String {
     let text = format!("{number:.*e}", digits - 1);
     text.parse::<f64>().map_or(text, inputs::format_number)

@@ -20,7 +20,7 @@ fn path(above: &str, name: &str) -> String {
     if above.is_empty() { name.to_owned() } else { format!("{above}.{name}") }
 }
 
-/// The first sentence of what a key means, and the rest.
+/// The first sentence of the meaning of a key, and the rest.
 fn title_and_help(text: &str) -> [&str; 2] {
     let (title, help) = text.split_once(". ").unwrap_or((text, ""));
     [title.trim_end_matches('.'), help]
@@ -71,7 +71,7 @@ fn field(table: &Schema, key: &KeyInfo, above: &str) -> Value {
     Value::Object(field)
 }
 
-/// What a field is, and whether it may have a range.
+/// The kind of a field, and whether it may have a range.
 fn kind(form: Form) -> (&'static str, bool) {
     match form {
         Form::Text => ("text", false),

@@ -1,4 +1,4 @@
-//! What is given: a text, its units, and what is wrong with it.
+//! The input: a text, its units, and its faults.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use report::Units;
 use requests::{NoPage, OptionError, Unanswered};
 use serde_json::{Value, json};
 
-/// What the page calls that of which errors speak: it has no command line.
+/// The names of purposes and commands in errors on the page: it has no command line.
 pub(crate) static PAGE: Program = Program {
     name: |purpose| {
         match purpose {
@@ -49,7 +49,7 @@ impl Refused {
         Self { problems: problems(diagnostics), message: diagnostics.to_string() }
     }
 
-    /// Of an analysis; what is wrong with the file speaks its own units.
+    /// From a failed analysis; faults of the file are reported in the units of the file.
     pub(crate) fn failed(failure: &Failure, file: &CaseFile, units: Units) -> Self {
         match failure {
             Failure::Case(faults) => Self::of(&file.diagnostics(faults, &PAGE)),
@@ -57,7 +57,7 @@ impl Refused {
         }
     }
 
-    /// Of a report to hand over.
+    /// From a failed report to hand over.
     pub(crate) fn of_page(error: &NoPage, file: &CaseFile, units: Units) -> Self {
         match error {
             NoPage::Failure(failure) => Self::failed(failure, file, units),
@@ -76,12 +76,12 @@ impl From<OptionError> for Refused {
     }
 }
 
-/// What a function made, or why not.
+/// The result of a function, or why there is none.
 pub(crate) fn made(value: Result<Value, Refused>) -> Value {
     value.unwrap_or_else(Refused::json)
 }
 
-/// A case with what a reader wants of it.
+/// A case, and the units that the reader wants.
 #[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) file: CaseFile,
@@ -113,9 +113,9 @@ impl Given {
     }
 }
 
-/// Where the bytes of a text are for a browser.
+/// The places of the bytes of a text as a browser counts them.
 pub(crate) struct Places {
-    /// For each byte, the UTF-16 units before it; none of a text in which both are the same.
+    /// For each byte, the UTF-16 units before it; `None` for a text in which both are the same.
     units: Option<Vec<usize>>,
 }
 

@@ -1,12 +1,11 @@
 //! The engine of the program in a browser: the text of a case in, JSON out.
 //!
-//! The text is the only state. No function throws for a bad case: what is wrong is in the JSON. Every place
-//! is given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units`
-//! is `si`, `us`, `uk`, or empty for those of the case. Where a name is left out, the file is called
-//! `case.toml`.
+//! The text is the only state. No function throws for a bad case: its faults are in the JSON. Every place is
+//! given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units` is
+//! `si`, `us`, `uk`, or empty for those of the case. If no name is given, the file is called `case.toml`.
 //!
-//! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
-//! `null` where it is about the file as a whole.
+//! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 and are
+//! `null` if it concerns the file as a whole.
 //!
 //! ```
 //! // A mile is 1.609344 km.
@@ -36,7 +35,7 @@ pub fn version() -> String {
 }
 
 /// Cases to start from: `[{ name, title, purpose, text_si, text_us }]`, the paper's example first. `purpose`
-/// are the sentences at the head of the text that say what it is for.
+/// is the description of its use from the head of the text.
 #[wasm_bindgen]
 #[must_use]
 pub fn templates() -> String {
@@ -49,7 +48,7 @@ pub fn templates() -> String {
 /// `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`, `names`, `wheels`,
 /// `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can have, the usual one
 /// first. `fields` are the keys of the table that can stand in place of a word or a number, and `groups` are
-/// the tables with a header of their own. What the glossary says of a key is what `explain` says of its path.
+/// the tables with a header of their own. `explain` gives the glossary's text on a key, by its path.
 #[wasm_bindgen]
 #[must_use]
 pub fn form() -> String {
@@ -64,11 +63,11 @@ pub fn explain(word: &str) -> String {
     pages::explain(word).to_string()
 }
 
-/// What a text says: `{ ok, problems, values, commands, judgement_html, units }`.
+/// The content of a text: `{ ok, problems, values, commands, judgement_html, units }`.
 ///
 /// `values` has the place of each key that the file gives and its value as written: `{ from, to, text }`.
 /// `commands` has `{ able, why }` for `reconstruct`, `impact`, `motion`, `crush`, `compare`, `sensitivity`,
-/// `uncertainty`, `estimate`, `avoid` and `recorder`; it is empty where the file is wrong.
+/// `uncertainty`, `estimate`, `avoid` and `recorder`; it is empty if the file is wrong.
 #[wasm_bindgen]
 #[must_use]
 pub fn check(text: &str, name: Option<String>) -> String {
@@ -80,25 +79,25 @@ pub fn check(text: &str, name: Option<String>) -> String {
 ///
 /// `{ ok: true, command, headline, html, charts: [{ name, title, svg }], text, json, csv, warnings: [{ code,
 /// message, vehicle, keys }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is byte
-/// for byte what the program writes; `csv` is `null` where the command has none, and what was stored of
-/// recorders.
+/// for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
+/// stored data.
 #[wasm_bindgen]
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
     answer::answer(text, command, units, name.as_deref()).to_string()
 }
 
-/// What is seen first of a text, from one reading, one analysis and one drawing: for each move of a mouse.
-/// `command` is the one that is wanted; a case that is not made for it is asked for the most that it can
-/// answer. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
+/// The first view of a text, from one reading, one analysis and one drawing: for each move of a mouse.
+/// `command` is the one that is wanted; a case without the data for it gets the most complete answer that it
+/// allows. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
 /// `none` draws nothing.
 ///
 /// `{ ok: true, headline, weigh, warnings, command, able: [command], units, scene }`, or `{ ok: false,
-/// problems, message, command, able, units, scene }`, without the last four of a text that cannot be read.
-/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. Where `weigh` holds, the
+/// problems, message, command, able, units, scene }`, without the last four if the text cannot be read.
+/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. If `weigh` is true, the
 /// case has more evidence than its exact solution uses: the answer is that of an estimate, and `headline`
-/// only says so. `able` may have `avoid`, whose headline is that of the central values, or empty where its
-/// speed is sought; and `recorder`.
+/// only says so. `able` may have `avoid`, whose headline is that of the central values, or empty if its speed
+/// has to be found first; and `recorder`.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
@@ -106,8 +105,8 @@ pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) 
 }
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
-/// `reconciliation` or `energy`, or `plain-scene` or `plain-motion` for readers who are no engineers; without
-/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok:
+/// `reconciliation` or `energy`, or `plain-scene` or `plain-motion` for readers who are not engineers;
+/// without speeds if the exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok:
 /// false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
@@ -115,18 +114,18 @@ pub fn draw(text: &str, what: &str, units: &str) -> String {
     picture::draw(text, what, units).to_string()
 }
 
-/// The scene or the motion to be worked with: `what` is `scene`, `motion`, or empty for the first that the
-/// case has. `viewport` is empty, or that of an earlier picture, so that the new one holds still.
+/// The scene or the motion, to be edited: `what` is `scene`, `motion`, or empty for the first that the case
+/// has. `viewport` is empty, or that of an earlier picture, so that the view stays the same.
 ///
 /// `{ ok: true, what, svg, title, description, viewport: { left, bottom, right, top }, origin, scale,
 /// contact, bodies, handles, survey, plan }`, or `{ ok: false, problems, message }`. Places are in metres, y
 /// upwards, whatever the axes of the case; a place x, y is at `origin[0] + scale x`, `origin[1] - scale y` in
 /// the units of the SVG. A body is `{ vehicle, outline, centre, heading }`, or `null`. A handle is `{ kind,
 /// vehicle, index, at, centre, keys }`: `heading`, `body` and `contact` of a vehicle, `plane`, `station` of
-/// its crush, `rest`, `rest_heading` and `point`; `index` counts from 0, and what turns does so around
-/// `centre`. `survey` is what a place needs to become one of the survey; in these `plan` has the site plan of
-/// the case, `{ file, corner, width, angle }`, or `null`: its lower left corner, and the length of its lower
-/// edge and its angle (rad) from the x axis.
+/// its crush, `rest`, `rest_heading` and `point`; `index` counts from 0, and a handle that turns does so
+/// around `centre`. `survey` is to be added to a place to convert it to the coordinates of the survey, in
+/// which `plan` has the site plan of the case, `{ file, corner, width, angle }`, or `null`: its lower left
+/// corner, and the length of its lower edge and its angle (rad) from the x axis.
 #[wasm_bindgen]
 #[must_use]
 pub fn scene(text: &str, what: &str, units: &str, viewport: &str) -> String {
@@ -134,8 +133,8 @@ pub fn scene(text: &str, what: &str, units: &str, viewport: &str) -> String {
 }
 
 /// The text with a handle of `scene` moved: `handle` as it was given, and `to` is `{ at: [x, y] }` in metres
-/// or, of what turns, `{ angle }` in radians from the x axis to where it then points. The numbers keep their
-/// units and their comments, and have the digits that a mouse can place.
+/// or, for a handle that turns, `{ angle }` in radians from the x axis to its new direction. The numbers keep
+/// their units and their comments, and have as many digits as the accuracy of a mouse justifies.
 ///
 /// `{ ok: true, text, changed: [key] }`, or `{ ok: false, problems, message }`.
 #[wasm_bindgen]
@@ -152,8 +151,8 @@ pub fn keep_plan(text: &str, plan: &str) -> String {
     drag::keep_plan(text, plan).to_string()
 }
 
-/// Where both vehicles are at these times (a list of seconds since the impact, negative before it) or, of an
-/// empty text, at equal times from one second before the impact to rest.
+/// The positions of both vehicles at these times (a list of seconds since the impact, negative before it) or,
+/// for an empty text, at equal intervals from one second before the impact to rest.
 ///
 /// `{ ok: true, duration, frames: [{ time, bodies: [{ outline, centre, heading }] }] }`, or `{ ok: false,
 /// problems, message }`; places are those of `scene` with `motion`.
@@ -165,15 +164,15 @@ pub fn motion(text: &str, units: &str, times: &str) -> String {
 
 /// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
 /// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty, or `compare` or
-/// `sensitivity`; `plan` is the picture that `site_plan` of the case names, where the motion is to be drawn
-/// on it.
+/// `sensitivity`; `plan` is the picture that `site_plan` of the case names, if the motion is to be drawn on
+/// it.
 #[wasm_bindgen]
 #[must_use]
 pub fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> String {
     answer::report(text, name, command, units, plan).to_string()
 }
 
-/// Gives a key a value of TOML, or takes it out where the value is empty; comments are kept: `{ ok: true,
+/// Gives a key a value of TOML, or removes the key if the value is empty; comments are kept: `{ ok: true,
 /// text, from, to }`, or `{ ok: false, message }`.
 #[wasm_bindgen]
 #[must_use]
@@ -181,8 +180,8 @@ pub fn edit(text: &str, key: &str, value: &str) -> String {
     edit::edit(text, key, value).to_string()
 }
 
-/// The text with a table of a recorder in it, as it copies out of a printed report; `key` is `pre_crash` or
-/// `pulse` of a table `[vehicleN.recorder]`: `{ ok: true, text }`, or `{ ok: false, problems, message }`.
+/// The text with a recorder's table in it, as copied out of a printed report; `key` is `pre_crash` or `pulse`
+/// of a table `[vehicleN.recorder]`: `{ ok: true, text }`, or `{ ok: false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn paste(text: &str, key: &str, table: &str) -> String {
@@ -205,9 +204,9 @@ pub fn live(page: &str, text: &str, name: &str, command: &str, units: &str, plan
     answer::live(page, text, name, command, units, plan).to_string()
 }
 
-/// What takes long, for a worker. `progress` is called with what is counted, how many are done and how many
-/// there are; where it returns `false`, the run ends: an uncertainty with the samples that it has, an
-/// estimate without an answer.
+/// The commands that take long, for a worker. `progress` is called with the name of what is counted, the
+/// number done and the total; if it returns `false`, the run ends: an uncertainty with the samples that it
+/// has, an estimate without an answer.
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct Run {
@@ -259,15 +258,15 @@ impl Run {
 
     /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text,
     /// headline, html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these
-    /// numbers. The speed that the rest of the case tells is not sought anew; a probability is found where it
-    /// is `sampled`.
+    /// numbers. A speed that follows from the rest of the case is not computed again; a probability is only
+    /// found if it is `sampled`.
     #[must_use]
     pub fn moved(&self, to: &str, sampled: bool) -> String {
         self.made(|ran| ran.moved(to, sampled))
     }
 
-    /// The pictures of the last run: `[{ name, output, title, svg }]`; none of an estimate that has not
-    /// converged, of a reconstruction the plain ones.
+    /// The pictures of the last run: `[{ name, output, title, svg }]`; none for an estimate that has not
+    /// converged, the plain ones for a reconstruction.
     #[must_use]
     pub fn pictures(&self) -> String {
         serde_json::Value::from(self.of(run::Ran::pictures)).to_string()
@@ -280,7 +279,7 @@ impl Run {
         self.handed_over(|ran| ran.html(plan))
     }
 
-    /// That put into the page `deltav.html`, whose text is `page`; answers as [`html`](Self::html).
+    /// The same, put into the page `deltav.html`, whose text is `page`; answers as [`html`](Self::html).
     #[must_use]
     pub fn live(&self, page: &str, plan: Option<Vec<u8>>) -> String {
         self.handed_over(|ran| ran.live(page, plan))
@@ -300,8 +299,7 @@ impl Run {
         Ok(self.ran.as_ref().map(run::Ran::json).transpose()?.unwrap_or_default())
     }
 
-    /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are
-    /// none.
+    /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty if there are none.
     #[must_use]
     pub fn samples(&self) -> String {
         self.of(run::Ran::csv)
@@ -319,7 +317,7 @@ impl Run {
         given::made(made).to_string()
     }
 
-    /// Nothing where there is no run.
+    /// An empty value if there is no run.
     fn of<T: Default>(&self, said: impl FnOnce(&run::Ran) -> T) -> T {
         self.ran.as_ref().map(said).unwrap_or_default()
     }

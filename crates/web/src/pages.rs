@@ -21,8 +21,8 @@ pub(crate) fn templates() -> Value {
     std::iter::once(example).chain(Template::WORDS.into_iter().map(of_kind)).collect()
 }
 
-/// What a template says of itself at its head: the first paragraph behind what is for editors, or of a
-/// published example all of its head.
+/// The description of a template at its head: the first paragraph after the lines for editors or, for a
+/// published example, the whole head.
 fn purpose(text: &str) -> String {
     let lines = text.lines().skip_while(|line| line.starts_with("#:schema"));
     let head = lines.map_while(|line| line.strip_prefix('#')).map(str::trim);

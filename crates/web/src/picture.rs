@@ -30,7 +30,7 @@ pub(crate) fn draw(text: &str, what: &str, units: &str) -> Value {
     }))
 }
 
-/// The picture that the case names, where its bytes are given.
+/// The picture that the case names, if its bytes are given.
 pub(crate) fn site_plan(case: &Case, plan: Option<Vec<u8>>) -> Result<Option<SitePlan>, Refused> {
     let Some(picture) = plan else { return Ok(None) };
     report::site_plan_of(case, picture).map_err(|error| Refused::message(format!("the site plan: {error}")))
@@ -57,8 +57,8 @@ fn usual(given: &Given) -> Subject {
     if given.file.case.impact.is_some() { Subject::Scene } else { Subject::Motion }
 }
 
-/// The scene or motion that is asked for or, where the case has none, the other one; `null` where it has
-/// neither, or where `none` is asked for. `furthest` is the furthest analysis of the case, if that is known.
+/// The scene or motion that is requested or, if the case has none, the other one; `null` if it has neither,
+/// or if `none` is requested. `furthest` is the furthest analysis of the case, if that is known.
 pub(crate) fn first_view(given: &Given, what: &str, viewport: &str, furthest: Option<&Analysis>) -> Value {
     if what == "none" {
         return Value::Null;
@@ -147,7 +147,7 @@ fn angle([x, y]: [f64; 2]) -> f64 {
     real::Real::atan2(y, x)
 }
 
-/// What can be moved, and the keys that it changes.
+/// The handles that can be moved, and the keys that they change.
 fn handles(case: &Case, view: &PlanView, is_scene: bool) -> Vec<Value> {
     let mut handles = Vec::new();
     let contact = view.contact.unwrap_or_default();

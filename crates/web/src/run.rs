@@ -1,5 +1,5 @@
-//! What takes long: uncertainty, estimate, avoidability, and a reconstruction with what its report has beside
-//! it.
+//! The commands that take long: uncertainty, estimate, avoidability, and a reconstruction with the additions
+//! of its report.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
@@ -14,16 +14,16 @@ use crate::answer;
 use crate::given::{Given, Refused};
 use crate::slide;
 
-/// Is told what is counted, how many are done and how many there are; whether to go on.
+/// Receives the name of what is counted, the number done and the total; returns whether to continue.
 pub(crate) type Progress<'a> = dyn FnMut(&str, usize, usize) -> bool + Send + 'a;
 
 thread_local! {
-    /// The function of the page that is told how far a run is: it cannot leave its thread, which the engine
-    /// wants of whom it tells.
+    /// The function of the page that receives the progress of a run: it cannot leave its thread, although the
+    /// engine requires that of a receiver.
     static TOLD: RefCell<Option<Function>> = const { RefCell::new(None) };
 }
 
-/// Tells a function of the page.
+/// Passes progress on to a function of the page.
 pub(crate) fn told(progress: &Function) -> impl FnMut(&str, usize, usize) -> bool + Send + use<> {
     TOLD.with(|told| told.replace(Some(progress.clone())));
     |counted, done, total| {
@@ -36,8 +36,8 @@ pub(crate) fn told(progress: &Function) -> impl FnMut(&str, usize, usize) -> boo
     }
 }
 
-/// A run that has ended, and what it is of. Each thing that is said of it is made when it is asked for: the
-/// pictures and the file for machines take a good part of the time that the samples take.
+/// A run that has ended, and its request. Each output is made only when it is requested: the pictures and the
+/// file for machines take a good part of the time that the samples take.
 #[derive(Debug)]
 pub(crate) struct Ran {
     given: Given,
@@ -49,7 +49,7 @@ impl Ran {
         self.answer.document(&self.given.file, self.given.units)
     }
 
-    /// What is read first.
+    /// The part that is read first.
     pub(crate) fn answer(&self) -> Value {
         let document = self.document();
         let mut answer = json!({
@@ -73,7 +73,7 @@ impl Ran {
         }
     }
 
-    /// Of each output, or of the estimate.
+    /// The pictures of each output, or of the estimate.
     pub(crate) fn pictures(&self) -> Vec<Value> {
         let Given { file, units } = &self.given;
         match &self.answer {
@@ -85,7 +85,7 @@ impl Ran {
                 let drawing = report::estimate_pictures(&file.case, &one.estimated, &one.asked, *units);
                 drawing.iter().map(|drawing| picture("estimate", "", drawing)).collect()
             }
-            // The exact solution is drawn at once; what it lacks are the speeds by all the evidence.
+            // The exact solution is drawn at once; only the speeds by all the evidence are missing.
             Answer::Analysis(one) => {
                 let plain = |(name, subject)| {
                     let request = DrawingRequest { subject, plain: true };
@@ -106,7 +106,7 @@ impl Ran {
         Ok(answer::page(&self.given, &self.answer, plan)?.html())
     }
 
-    /// That in the page `deltav.html`.
+    /// The same in the page `deltav.html`.
     pub(crate) fn live(&self, page: &str, plan: Option<Vec<u8>>) -> Result<String, Refused> {
         answer::alive(page, &answer::page(&self.given, &self.answer, plan)?, &self.given)
     }
@@ -121,13 +121,13 @@ impl Ran {
         self.answer.json(&self.given.file)
     }
 
-    /// The samples or draws as CSV; of draws that have not converged none.
+    /// The samples or draws as CSV; none if the draws have not converged.
     pub(crate) fn csv(&self) -> String {
         answer::samples(&self.answer)
     }
 }
 
-/// Asks a command that takes long of the text of a case.
+/// Runs a command that takes long on the text of a case.
 pub(crate) fn run(
     command: &str,
     [text, name, units, options]: [&str; 4],
@@ -135,7 +135,7 @@ pub(crate) fn run(
 ) -> Result<Ran, Refused> {
     let given = Given::read(text, Some(name), units)?;
     let mut options = RequestOptions::read(options)?;
-    // A report has beside its exact solution all that is known.
+    // A report has everything that is known in addition to its exact solution.
     if command == "reconstruct" {
         options = options.or("weigh", true).or("method", true);
     }

@@ -9,7 +9,7 @@ use crate::answer::charts;
 use crate::drag::Change;
 use crate::given::{Given, Refused};
 
-/// (s) the longest reaction time that a slider has of itself, and its step.
+/// (s) the upper end of a slider for the reaction time, unless the case has more, and its step.
 const LONGEST: f64 = 3.0;
 const REACTION_STEP: f64 = 0.05;
 /// (m/s) units of less than this have steps of one, others of a tenth.
@@ -44,7 +44,7 @@ impl Slider {
         sliders.into_iter().flatten().collect()
     }
 
-    /// `most` (SI) is more where the number of the case is.
+    /// `most` (SI) is raised to the number of the case if that is greater.
     fn of(file: &CaseFile, key: &'static str, dimension: Dimension, quantity: Quantity, most: f64) -> Self {
         let factor = quantity.unit().factor();
         let step = match dimension {
@@ -81,7 +81,7 @@ impl Slider {
         })
     }
 
-    /// Gives the key a value in its unit; one that it has already leaves the text as it is.
+    /// Gives the key a value in its unit; a value that it already has leaves the text unchanged.
     fn put(&self, change: &mut Change, value: f64) -> Result<(), Refused> {
         let factor = self.quantity.unit().factor();
         if (value * factor - self.quantity.si()).abs() <= 1e-9 * self.step * factor {
@@ -96,7 +96,7 @@ impl Slider {
     }
 }
 
-/// What the sliders of an answer move: `[{ key, unit, value, least, most, step }]`.
+/// The sliders of an answer: `[{ key, unit, value, least, most, step }]`.
 pub(crate) fn sliders(file: &CaseFile, found: &Avoidance) -> Vec<Value> {
     Slider::both(file, found).iter().map(Slider::json).collect()
 }

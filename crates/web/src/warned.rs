@@ -1,9 +1,9 @@
-//! Which keys a warning leads to.
+//! The keys to which a warning leads.
 
 use analysis::{Magnitude, Warning};
 
-/// The keys that somebody looks at first, of a vehicle or of both. Without a catch-all, so that a new warning
-/// does not compile before it leads somewhere.
+/// The keys to look at first, of a vehicle or of both. Without a catch-all, so that a new warning does not
+/// compile until it has its keys.
 pub(crate) fn keys(warning: &Warning) -> Vec<String> {
     let key = match warning {
         Warning::PlaneDoesNotSeparate => return vec!["impact.crush_plane".to_owned()],

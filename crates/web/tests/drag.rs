@@ -1,4 +1,4 @@
-//! What is moved with the mouse is written into the text.
+//! Elements that are moved with the mouse are written into the text.
 
 use std::collections::BTreeSet;
 
@@ -23,7 +23,7 @@ fn find<'a>(handles: &'a [Value], kind: &str, vehicle: Value, index: Value) -> &
     found.unwrap_or_else(|| panic!("no {kind}"))
 }
 
-/// Whatever is moved is then where it was moved to, as near as its digits are.
+/// A moved element is then where it was moved to, within its digits.
 #[test]
 fn every_handle_goes_where_it_is_moved() {
     let mut kinds = BTreeSet::new();
@@ -71,7 +71,8 @@ fn every_handle_goes_where_it_is_moved() {
                     let turns = (off / std::f64::consts::TAU).round() * std::f64::consts::TAU;
                     assert!((off - turns).abs() < 0.1_f64.to_radians(), "{name} {kind}: {off}");
                 }
-                // The contact point is the origin of the scene, and the vehicle goes back by what it moves.
+                // The contact point is the origin of the scene, and the vehicle moves back by the same
+                // distance.
                 "contact" => {
                     assert_near(pivot[0], centre[0] - to[0] + at[0], 0.02);
                     assert_near(pivot[1], centre[1] - to[1] + at[1], 0.02);
@@ -151,7 +152,7 @@ fn what_is_no_handle_is_refused() {
     }
 }
 
-/// A site plan lies where it was laid, in both axes and both unit systems, and where the program draws it.
+/// A site plan stays where it was placed, in both axes and both unit systems, and the program draws it there.
 #[test]
 fn a_site_plan_is_kept_where_it_lies() {
     let plan = json!({ "file": "aerial.jpg", "corner": [-12.34, 5.67], "width": 40.5, "angle": 0.35 });
@@ -162,7 +163,7 @@ fn a_site_plan_is_kept_where_it_lies() {
         let before = read(deltav_web::scene(&text, "", "", ""));
         assert_eq!(before["plan"], Value::Null, "{name}");
         let mut kept = text.clone();
-        // The first time it is named, then moved, where it already is.
+        // The first time its keys are added, then they are changed where they are.
         for moved in [[7.0, 8.0], [-12.34, 5.67]] {
             let mut plan = plan.clone();
             plan["corner"] = json!(moved);

@@ -1,4 +1,4 @@
-//! What is seen first says what the other functions say.
+//! The first view has the same content as the other functions.
 
 use serde_json::Value;
 
@@ -53,7 +53,7 @@ fn a_case_is_asked_for_what_it_is_made_for() {
     }
     let rest = fixture("rear-end-rest.toml");
     assert_eq!(look(&rest, "motion", "")["command"], "motion");
-    // A viewport holds the picture still.
+    // A viewport keeps the picture still.
     let viewport = r#"{"left":-4,"bottom":-3,"right":4,"top":3}"#;
     let still = made(deltav_web::look(&text, "", "", "scene", viewport));
     assert_eq!(still["scene"], made(deltav_web::scene(&text, "scene", "", viewport)));
@@ -80,8 +80,8 @@ fn what_is_wrong_is_said() {
     }
 }
 
-/// A case with more evidence than its exact solution uses has its answer from an estimate: the page is told
-/// so, and gets no speed to show.
+/// A case with more evidence than its exact solution uses gets its answer from an estimate: the page receives
+/// a flag for that, and no speed to show.
 #[test]
 fn a_look_says_whether_all_the_evidence_has_to_be_weighed() {
     let text = fixture("rear-end.toml");

@@ -17,7 +17,7 @@ fn every_template_is_a_case_with_an_answer() {
         for text in ["text_si", "text_us"] {
             let text = template[text].as_str().unwrap();
             assert_eq!(json(deltav_web::check(text, None))["ok"], true);
-            // What takes long is for a worker, and one vehicle alone has tables.
+            // Long computations are for a worker, and one vehicle alone has tables.
             let looked = made(deltav_web::look(text, "", "", "none", ""));
             let leads = looked["weigh"] == true || looked["headline"][0].is_string();
             assert!(leads || looked["command"] == "crush", "{looked:#}");

@@ -1,4 +1,4 @@
-//! Where things are in a picture that somebody works with.
+//! The places of elements in a picture that the user edits.
 
 use crate::{assert_near, example, fixture, made, number, pair};
 use serde_json::{Value, json};
@@ -78,7 +78,7 @@ fn a_viewport_holds_the_picture_still() {
         assert_near(number(&held["viewport"][side]), number(&first["viewport"][side]), 1e-9);
     }
     assert_eq!(made(deltav_web::scene(&text, "", "", &viewport))["svg"], first["svg"]);
-    // A part that is none is not taken.
+    // An invalid part is not accepted.
     let empty = json!({ "left": 1, "bottom": 0, "right": 1, "top": 2 }).to_string();
     assert_eq!(made(deltav_web::scene(&text, "", "", &empty))["svg"], first["svg"]);
 }
@@ -97,7 +97,7 @@ fn a_motion_is_drawn_with_its_rests_and_played() {
     assert_eq!(frames.len(), 61);
     assert_eq!(number(&frames[0]["time"]), -1.0);
     assert_near(number(&frames[60]["time"]), number(&motion["duration"]), 1e-12);
-    // The way ends where the data say that it does; along one line, only its length was asked for.
+    // The path ends at the given place; along one line, only its length was sought.
     let answer = made(deltav_web::answer(&text, "", "", None));
     let data: Value = serde_json::from_str(answer["json"].as_str().unwrap()).unwrap();
     for (vehicle, found) in [("vehicle1", 2.6), ("vehicle2", 19.0)] {

@@ -1,11 +1,11 @@
-//! What is said of a text, with its places as a browser counts them.
+//! The problems of a text, with their places as a browser counts them.
 
 use case::CaseFile;
 use serde_json::Value;
 
 use crate::{example, fixture, json, made, number};
 
-/// What a browser has between two of its places.
+/// The text that a browser has between two of its places.
 fn cut(text: &str, value: &Value) -> String {
     let units: Vec<u16> = text.encode_utf16().collect();
     let [from, to] = ["from", "to"].map(|end| usize::try_from(value[end].as_u64().unwrap()).unwrap());
@@ -120,7 +120,7 @@ fn what_cannot_be_done_is_said_in_sentences() {
         (deltav_web::draw(&example(), "motion", ""), "the motion to rest needs it"),
         (deltav_web::edit(&example(), "vehicle1.wieght", "1"), "no key \"vehicle1.wieght\""),
         (deltav_web::edit("[", "title", "\"a\""), "cannot be read as TOML"),
-        (deltav_web::convert("10 mph", "kg"), "no quantity"),
+        (deltav_web::convert("10 mph", "kg"), "not a quantity"),
         (deltav_web::scene(&example(), "", "", "{"), "a viewport is"),
         (deltav_web::motion(&fixture("rear-end-rest.toml"), "", "1"), "times are"),
     ] {

@@ -18,7 +18,7 @@ class Record(Mapping[str, Any]):
     Raises
     ------
     AttributeError
-        For a key that is not there, and for whoever sets one.
+        If there is no such key, and if one is set.
 
     Examples
     --------

@@ -6,14 +6,14 @@ use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 
-/// What there is to say about the links of a folder.
+/// The result of checking the links of a folder.
 #[derive(Debug)]
 pub(super) struct Found {
     /// The number of pages.
     pub(super) pages: usize,
     /// The number of links within the book.
     pub(super) links: usize,
-    /// Those that lead nowhere, each with its page.
+    /// The links that lead nowhere, each with its page.
     pub(super) dead: Vec<String>,
 }
 

@@ -39,8 +39,7 @@ fn index(text: &str) -> String {
     text.replace("README.md", "index.md")
 }
 
-/// The links and pictures of a page, with where they stand: `](link)` and `src="link"`, outside of fenced
-/// blocks.
+/// The links and pictures of a page, with their places: `](link)` and `src="link"`, outside of fenced blocks.
 fn links(text: &str) -> Vec<(usize, &str)> {
     let (mut found, mut start, mut is_fenced) = (Vec::new(), 0, false);
     for line in text.split_inclusive('\n') {
@@ -60,8 +59,8 @@ fn links(text: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The page with links that lead somewhere within the book: a file that is no chapter comes into the book with
-/// it, and a folder or a page of the repository that is none of the book is named instead.
+/// The page with links that lead somewhere within the book: a file that is not a chapter is copied into the
+/// book with it, and a folder or a page of the repository that is not in the book is named instead.
 fn adapt(
     text: &str,
     page: &Path,
@@ -96,7 +95,7 @@ fn adapt(
     Ok(adapted)
 }
 
-/// Turns the link whose `[text](` was just written into its text, with what it names in brackets.
+/// Turns the link whose `[text](` was just written into its text, with its target in brackets.
 fn unlink(page: &mut String, target: &Path) {
     page.truncate(page.len() - "](".len());
     if let Some(open) = page.rfind('[') {

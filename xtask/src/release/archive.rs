@@ -10,14 +10,14 @@ use anyhow::{Context as _, Result};
 use super::Place;
 use crate::tools::{cargo, is_installed, output, run, say};
 
-/// What goes into the archive as it stands in the repository.
+/// The files that go into the archive as they are in the repository.
 const TEXTS: [&str; 4] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md", "CHANGELOG.md"];
 
 /// The shells, and the files in which each looks for the completions.
 const SHELLS: [(&str, &str); 4] =
     [("bash", "deltav.bash"), ("zsh", "_deltav"), ("fish", "deltav.fish"), ("powershell", "deltav.ps1")];
 
-/// A target that needs nothing of the machine on which the program is to run, if it can be built here.
+/// A target without dependencies on the machine on which the program is to run, if it can be built here.
 pub(super) fn best_target() -> Result<String> {
     let told = String::from_utf8(output(Command::new("rustc").arg("-vV"))?)?;
     let host = told.lines().find_map(|line| line.strip_prefix("host: ")).context("rustc names no host")?;
@@ -28,12 +28,12 @@ pub(super) fn best_target() -> Result<String> {
     Ok(if is_static { musl } else { host.to_owned() })
 }
 
-/// Builds the program, and packs it. What could not be added is said.
+/// Builds the program, and packs it; returns what could not be added.
 pub(super) fn program(place: &Place) -> Result<Vec<String>> {
     let triple = &place.triple;
     run(Command::new(cargo())
         .args(["build", "--locked", "--release", "-p", "deltav-cli", "--target", triple])
-        // Names of functions are for who debugs, and half of the file.
+        // Names of functions are only for debugging, and take half of the file.
         .env("CARGO_PROFILE_RELEASE_STRIP", "symbols")
         .envs(for_another_processor(triple))
         .current_dir(&place.root))?;
@@ -75,9 +75,9 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
     Ok(left_out)
 }
 
-/// What builds a static program for another processor than that of this machine: the linker of Rust, as
-/// nothing of the system is linked, and the C compiler of Debian's gcc-aarch64-linux-gnu for what is written
-/// in C.
+/// The tools that build a static program for another processor than that of this machine: the linker of Rust,
+/// as nothing of the system is linked, and the C compiler of Debian's gcc-aarch64-linux-gnu for the parts in
+/// C.
 fn for_another_processor(triple: &str) -> Vec<(String, &'static str)> {
     let Some(processor) = triple.strip_suffix("-unknown-linux-musl") else { return Vec::new() };
     if processor == env::consts::ARCH || processor != "aarch64" {
@@ -93,7 +93,7 @@ fn for_another_processor(triple: &str) -> Vec<(String, &'static str)> {
     ]
 }
 
-/// What the program itself writes.
+/// The files that the program itself writes.
 fn completions(program: &Path, folder: &Path) -> Result<()> {
     for (shell, name) in SHELLS {
         let text = output(Command::new(program).args(["completions", shell]))?;

@@ -43,7 +43,7 @@ pub(super) fn of(metadata: &Value, lock: &str, program: &str) -> Result<Value> {
     }))
 }
 
-/// What each package needs to be built; what only its tests need is left out.
+/// The packages that each package needs to be built; those only for its tests are left out.
 fn needs(metadata: &Value) -> Result<BTreeMap<&str, BTreeSet<&str>>> {
     let nodes = metadata["resolve"]["nodes"].as_array().context("cargo metadata has no dependencies")?;
     let is_built_from = |one: &&Value| {

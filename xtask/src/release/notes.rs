@@ -1,6 +1,6 @@
 //! The notes of a release, from the changelog.
 
-/// The section of this version, or, before the first release, all that the changelog says below its heading.
+/// The section of this version, or, before the first release, all of the changelog below its heading.
 pub(super) fn of(changes: &str, version: &str) -> String {
     let is_heading = |line: &&str| line.starts_with("## ");
     let is_ours = |line: &&str| {

@@ -1,4 +1,4 @@
-//! The order in which the crates can be published: each after those that it needs.
+//! The order in which the crates can be published: each after its dependencies.
 
 use anyhow::{Context as _, Result, bail};
 use serde_json::Value;
@@ -25,7 +25,7 @@ pub(super) fn of(metadata: &Value) -> Result<Vec<String>> {
     Ok(order)
 }
 
-/// The crates of this workspace that the registry wants to have first. Those without a version are for tests,
+/// The crates of this workspace that have to be in the registry first. Those without a version are for tests,
 /// and the package leaves them out.
 fn needed(package: &Value) -> Vec<&str> {
     let dependencies = package["dependencies"].as_array().map(Vec::as_slice).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The checksums of what is handed out.
+//! The checksums of the released files.
 
 use std::fmt::Write as _;
 use std::fs;

@@ -55,7 +55,7 @@ pub(crate) const FORMS: [&str; 40] = [
 struct Dice {
     seed: u64,
     thrown: u64,
-    /// (–) the standard deviation of a number beside the number.
+    /// (–) the standard deviation of a number, as a share of the number.
     share: f64,
     forms: Vec<&'static str>,
 }
@@ -202,7 +202,7 @@ impl Dice {
         if sideslip == "sideslip" {
             lines += &format!("sideslip = {}\n", self.range(-10.0, 10.0, "deg"));
         }
-        // A velocity has a direction of its own, that of a vehicle whose speed is sought as well.
+        // A velocity has its own direction, even that of a vehicle whose speed is sought.
         let mut motions = if number == 1 { vec!["heading", "heading"] } else { vec!["speed"] };
         if sideslip == "no sideslip" {
             motions.push(if number == 1 { "direction of travel" } else { "velocity" });
@@ -254,11 +254,11 @@ impl Dice {
     }
 }
 
-/// A car that runs into the left side of another, or into a fixed object, and whose speed is sought. It need
-/// not have one.
+/// A car that runs into the left side of another, or into a fixed object, and whose speed is sought. There
+/// may be no such speed.
 pub(crate) fn any_case(seed: u64) -> AnyCase {
     let mut dice = Dice { seed, thrown: 0, share: 0.02, forms: Vec::new() };
-    // In some cases so far that many samples are refused.
+    // In some cases the spread is so wide that many samples are refused.
     dice.share = if dice.number(0.0, 1.0) < 0.3 { 0.4 } else { 0.02 };
     let axes = dice.one_of(&["z-up", "z-down"]);
     let first = dice.vehicle(1);

@@ -1,9 +1,9 @@
-//! What the other evidence says of each piece.
+//! Whether the other evidence agrees with each piece.
 
 use super::Estimated;
 use super::pieces::PieceFound;
 
-/// (–) probability that any piece raises a warning if all are right: the least p-value has to be below its
+/// (–) probability that any piece raises a warning if all are right: the smallest p-value has to be below its
 /// share of this (Holm).
 pub const DOUBTFUL: f64 = 0.05;
 /// (–) a piece that raises a warning and has a p-value below this contradicts the rest.
@@ -21,7 +21,7 @@ pub enum Agreement {
     Agrees,
     /// It disagrees.
     Doubtful,
-    /// It excludes the piece, but for one in a hundred.
+    /// It excludes the piece, at a level of one in a hundred.
     Contradicts,
 }
 
@@ -52,7 +52,7 @@ impl Agreement {
         found
     }
 
-    /// Its word in data.
+    /// The word for it in data.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -64,8 +64,8 @@ impl Agreement {
 }
 
 impl Estimated {
-    /// The keys of the pieces on which the other evidence has this verdict. Those that no collision agrees
-    /// with are among the contradicting ones.
+    /// The keys of the pieces on which the other evidence has this verdict. Pieces with which no collision
+    /// agrees are among the contradicting ones.
     #[must_use]
     pub fn with_agreement(&self, wanted: Agreement) -> Vec<String> {
         let judged = self.pieces.iter().zip(Agreement::of_all(&self.pieces));

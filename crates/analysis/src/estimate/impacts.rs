@@ -18,7 +18,7 @@ use crate::evidence::{needed, works};
 use crate::impact::speed_along;
 use crate::travel::{Scene, skid};
 
-/// What becomes of a number of the case.
+/// The value that a number of the case has in each particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slot {
     /// The same in every particle.
@@ -29,13 +29,13 @@ pub(super) enum Slot {
     Factor(usize),
 }
 
-/// A case of which some numbers are unknown.
+/// A case with some unknown numbers.
 #[derive(Debug)]
 pub(super) struct Varied {
     pub(super) case: Case,
-    /// What becomes of each of its numbers.
+    /// The value of each of its numbers in a particle.
     pub(super) slots: Vec<Slot>,
-    /// What the errors that numbers share do.
+    /// The effects of errors that several numbers share.
     pub(super) shared: Option<SharedEffects>,
 }
 
@@ -58,35 +58,36 @@ impl Varied {
     }
 }
 
-/// The impacts of a case with unknown numbers, and the ways from there.
+/// The impacts of a case with unknown numbers, and the paths after them.
 #[derive(Debug)]
 pub(super) struct CaseImpacts {
     /// The case without its texts.
     pub(super) impact: Varied,
-    /// What of the case the motion after the impact needs; `None` where that is all of it.
+    /// The parts of the case that the motion after the impact needs; `None` if it needs all of them.
     pub(super) motion: Option<Varied>,
     pub(super) speeds: OpenSpeeds,
-    /// The place of the greatest impulse ratio, where the case leaves it open.
+    /// The place of the largest impulse ratio, if the case does not give it.
     pub(super) friction: Option<usize>,
-    /// The place of λ, where the case leaves it open.
+    /// The place of λ, if the case does not give it.
     pub(super) tangential_share: Option<usize>,
     /// The crush energy of the one vehicle whose crush is not known, with the place of its ratio.
     pub(super) other_crush: Option<OtherCrush<usize>>,
     /// The skid marks of each vehicle before the impact.
     pub(super) skids: [Option<SkidNumbers>; 2],
-    /// What stands in place of an impact that there is not.
+    /// The placeholder for an impact that does not happen.
     pub(super) placeholder: Outcome,
     /// Whether each vehicle is followed to rest.
     pub(super) followed: [bool; 2],
     pub(super) unknown: Independent,
-    /// The same for a block at once, where the case has a shape that can be posed so.
+    /// The same for a block at once, if the form of the case allows that.
     pub(super) block: Option<Block>,
 }
 
 /// Skid marks before the impact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SkidNumbers {
-    /// None where they begin at a place and how far that is from the impact differs between particles.
+    /// `None` if the case gives the place where they begin, and its distance from the impact differs between
+    /// particles.
     pub(super) length: Option<Quantity<Number>>,
     pub(super) friction: Number,
     /// The place of a factor on the friction.
@@ -141,7 +142,7 @@ impl CaseImpacts {
         }
     }
 
-    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
+    /// Compiled once: turning a case into the types of the engine gains nothing from a copy for each
     /// instruction set.
     #[inline(never)]
     fn impacts_of(
@@ -160,7 +161,7 @@ impl CaseImpacts {
             if posed.is_none() {
                 posed = pose(case.insert(self.case_of(values, lane)));
             }
-            // Errors that numbers share stand in the case alone, and are never posed without it.
+            // Only the case contains the errors that numbers share, so such a particle always needs its case.
             let marked = if self.impact.shared.is_some() || has_places {
                 case.get_or_insert_with(|| self.case_of(values, lane)).skids()
             } else {
@@ -316,11 +317,11 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
     }
 }
 
-/// (m) a step of the way to rest may err by this, which is little beside the error of a rest that was
-/// measured, 0.5 m and 10 % of the way.
+/// (m) error allowed in a step of the path to rest: small compared with that of a measured rest position, 0.5
+/// m and 10 % of the path.
 pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 
-/// (m) from each point that was observed to the way.
+/// (m) distance from each observed point to the path.
 fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
     let Some(way) = input.vehicles[id.index()].as_ref().filter(|way| !way.points.is_empty()) else {
         return Vec::new();

@@ -19,7 +19,7 @@ pub enum UnusedReason {
     Inferred,
     /// A crush of both vehicles that took no energy.
     NoEnergy,
-    /// What an object took, where the crush of the vehicle that struck it is not known.
+    /// The energy that an object absorbed, if the crush of the vehicle that struck it is unknown.
     NoCrush,
     /// A PDOF that follows from that of the other vehicle: both are one observation.
     OtherPdof,
@@ -31,13 +31,13 @@ pub enum UnusedReason {
     NoDirection,
     /// A coefficient of the impact of vehicles that left as one wreck.
     OneWreck,
-    /// That the vehicles left as one wreck, where the law is another one than Brach's.
+    /// That the vehicles left as one wreck, if the law is not Brach's.
     OtherLaw,
-    /// That the vehicles left as one wreck, where the law has a moment.
+    /// That the vehicles left as one wreck, if the law has a moment.
     WithMoment,
     /// A pulse without an impact.
     NoImpact,
-    /// One of several records that is not likely to be of this impact.
+    /// One of several records, which is probably not of this impact.
     OtherImpact,
     /// The table of a vehicle that stood or crawled.
     StoodByRecord,
@@ -46,7 +46,7 @@ pub enum UnusedReason {
 /// Notes on a part of the evidence.
 #[derive(Debug, Default)]
 pub(super) struct Notes {
-    /// The keys of evidence with its default error, as the case gives none, each once.
+    /// The keys of evidence with a default error, because the case gives none; each once.
     pub(super) default_errors: Vec<String>,
     pub(super) unused: Vec<Unused>,
 }

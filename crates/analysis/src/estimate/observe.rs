@@ -20,8 +20,8 @@ pub(super) use damage::{Crushed, damage, energies, is_with_object, reference};
 const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
 /// (–) a range wider than this share of its speed is the error of the speed, not of its logarithm.
 const WIDE_RANGE: f64 = 0.5;
-/// (–) the severity of the field is unknown for a side against a side, of which it had five vehicles: its
-/// spread is taken as this multiple of that of all others.
+/// (–) the field data have only five vehicles hit side against side, too few for their severity: its spread
+/// is taken as this multiple of that of all others.
 const SIDESWIPE_SPREAD: f64 = 2.0;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 

@@ -11,17 +11,17 @@ use crate::output::Output;
 use crate::quantities::{SKID_SPEED, SPEED};
 use crate::uncertainty::beside;
 
-/// The model of a case, with the results that are told of each draw.
+/// The model of a case, with the results that are computed for each draw.
 pub(super) struct Told<'a> {
     model: &'a CollisionModel<CaseImpacts>,
     outputs: Vec<Output>,
     axes: Axes,
-    /// (rad) PDOF of both vehicles if the force were normal to the crush plane: the angles are counted
-    /// beside them.
+    /// (rad) PDOF of both vehicles if the force were normal to the crush plane: the PDOFs of all draws are
+    /// within half a turn of them.
     reference: [f64; 2],
 }
 
-/// The results that a case has: none of a fixed object, and those of a skid or of a path where there is one.
+/// The results that a case has: none for a fixed object, and those of a skid or of a path if there is one.
 pub(super) fn of(impacts: &CaseImpacts) -> Vec<Output> {
     let is_told = |output: &Output| {
         output.vehicle().is_none_or(|vehicle| {

@@ -85,9 +85,9 @@ fn suffices(run: &Posterior) -> bool {
     }
 }
 
-/// The effect of a piece on the answer, in as much detail as is asked for. What it tells comes from the
-/// existing draws, reweighted, if enough of these count, and otherwise from `again`. `always` are the terms
-/// of every run.
+/// The effect of a piece on the answer, in as much detail as is asked for. It is found from the existing
+/// draws, reweighted, if enough of these count, and otherwise by `again`. `always` are the terms of every
+/// run.
 pub(super) fn found(
     (term, piece): (usize, Piece),
     told: &Told<'_>,

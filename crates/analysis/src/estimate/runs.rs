@@ -56,7 +56,7 @@ impl<'a, 'm> Runs<'a, 'm> {
         Self { told, pieces, plan, report, is_ended: false, evaluations: 0 }
     }
 
-    /// By all evidence, with more particles where the first run does not suffice.
+    /// By all evidence, with more particles if the first run does not suffice.
     pub(super) fn answer(&mut self) -> Result<Posterior, Failure> {
         let EstimatePlan { particles: first, seed, .. } = *self.plan;
         let most = first.saturating_mul(MOST_TIMES).min(MOST_PARTICLES);
@@ -106,7 +106,7 @@ impl<'a, 'm> Runs<'a, 'm> {
         }
     }
 
-    /// A run beside the answer; `None` if it fails.
+    /// A run in addition to the answer; `None` if it fails.
     fn again(&mut self, wanted: Wanted, posterior: &Posterior) -> Option<Posterior> {
         let EstimatePlan { particles, seed, .. } = *self.plan;
         let beside = (particles / PIECE_SHARE).next_multiple_of(PARTICLES_STEP);

@@ -73,8 +73,8 @@ const GROUND_LN_SD: f64 = 0.10;
 const DRAG_LN_SD: f64 = 0.30;
 /// (m/s) upper limit of the speed of a vehicle in the prior.
 const FASTEST: f64 = 70.0;
-/// (–) standard deviation of the logarithm of a coefficient of the impact without a range: of e as in the
-/// field, of the friction chosen.
+/// (–) standard deviation of the logarithm of a coefficient of the impact without a range: for e, that of the
+/// field; for the friction, a choice.
 const RESTITUTION_LN_SD: f64 = FITTED.restitution[3];
 const FRICTION_LN_SD: f64 = FITTED.friction[1];
 /// (%) probability before the evidence that a vehicle stood still.
@@ -151,7 +151,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
     let mut warnings = unsolved::warnings(&case, Some(&nominal));
-    // Its rest is not used, as is said among the unused evidence.
+    // Its rest position is not used, which the list of unused evidence states.
     warnings.retain(|warning| !matches!(warning, Warning::WreckAlone { .. }));
     let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
@@ -367,7 +367,7 @@ fn is_beside(path: &str) -> bool {
         .any(|table| path.starts_with(table))
 }
 
-/// The case with a speed for every vehicle, and whose speeds are unknown.
+/// The case with a speed for every vehicle, which speeds are unknown, and the data that are not used.
 fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults> {
     let mut case = case.clone();
     let mut unused = Vec::new();
@@ -411,8 +411,8 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
 }
 
 /// Vehicles that leave as one do not rebound, and their surfaces do not slip on each other at the end: e = 0
-/// and μ = μ_c, whatever the case gives. The result is what is not used for it; it is the key itself for an
-/// impact by another law than Brach's, and by Brach's with a moment.
+/// and μ = μ_c, whatever the case gives. Returns the data that are therefore not used; for a law other than
+/// Brach's, and for Brach's with a moment, that is the key itself.
 fn as_one_wreck(case: &mut Case) -> Vec<Unused> {
     let unused = |key: &str, reason| Unused { key: key.to_owned(), reason };
     let (restitution, tangential) = match case.impact.as_mut().map(|impact| &mut impact.law) {

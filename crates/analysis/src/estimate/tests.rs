@@ -81,7 +81,7 @@ fn a_ratio_of_the_other_sign_is_the_mirror_image() {
     }
 }
 
-/// Of two vehicles whose speeds are both unknown, by their crush and a coded PDOF, the field judged many.
+/// Estimates of two vehicles with unknown speeds from crush and a coded PDOF were tested on field data.
 #[test]
 fn the_judged_collisions_are_named() {
     let vehicle = |n: u8, heading: u16, pdof: &str| {
@@ -108,7 +108,7 @@ fn the_judged_collisions_are_named() {
     assert_eq!(tested("pdof = \"0 deg\"\n", "[vehicle1.recorder]\nspeed = \"40 km/h\"\n"), None);
 }
 
-/// What contradicts the rest leaves too few draws to tell how far it is off: a run without it tells.
+/// A piece that contradicts the rest leaves too few draws to show how far it is off: a run without it does.
 #[test]
 fn a_contradiction_is_found_without_the_answers_by_each_piece() {
     let text = format!(
@@ -428,7 +428,8 @@ fn what_excludes_everything_is_named() {
     assert!(refusal.contains("do not approach each other"), "{refusal}");
 }
 
-/// Of two unknown speeds hardly any lies in a narrow limit: too few draws to continue, as the run reports.
+/// With two unknown speeds, hardly any draw lies within narrow limits: too few to continue, as the run
+/// reports.
 #[test]
 fn a_run_that_has_not_converged_says_so() {
     let text = CENTRAL.replace("prior = \"flat\"", "").replace("speed = \"0 km/h\"", "").replacen(
@@ -904,8 +905,8 @@ fn judged(text: &str) -> Estimated {
     estimate(&read(text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Vehicle 2 is pushed straight on: a direction, a PDOF and a sign of the opposite contradict that, the right
-/// ones agree, and zero is a number like any other.
+/// Vehicle 2 is pushed straight on: an opposite direction, PDOF or sign contradicts that, the right ones
+/// agree, and zero is a number like any other.
 #[test]
 fn what_points_the_other_way_contradicts() {
     let crush = "[vehicle1.crush]\nside = \"front\"\nees = \"30 km/h\"\n";
@@ -942,7 +943,7 @@ fn zero_can_be_observed() {
     let after = Unused { key: "vehicle1.after.direction".to_owned(), reason: UnusedReason::NoDirection };
     assert!(estimated.unused.contains(&after), "{:?}", estimated.unused);
     let still = format!("{CENTRAL}[vehicle2.recorder]\ndelta_v_longitudinal = \"0 km/h\"\n");
-    // ΔV₂ = 0.66 v₁ is below 1 km/h or so: v₁ is near the least that is an impact.
+    // ΔV₂ = 0.66 v₁ is below 1 km/h or so: v₁ is near the smallest that makes an impact.
     let slow = run(&read(&still), 128).unwrap();
     assert!(of(&slow, speed(VehicleId::One)).posterior.median.value < 2.0);
     let none = format!("{CENTRAL}[vehicle1.crush]\nees = \"0 m/s\"\n[vehicle2.crush]\nees = \"0 m/s\"\n");
@@ -991,7 +992,7 @@ fn limits_that_make_no_sense_are_refused() {
     assert!(refusal("at_least = \"100 m/s\"").contains("252 km/h"), "{}", refusal("at_least = \"100 m/s\""));
     assert!(refusal("at_most = \"0 km/h\"").contains("backward"), "{}", refusal("at_most = \"0 km/h\""));
     assert_eq!(refusal("at_least = \"-20 km/h\", at_most = \"0 km/h\""), "");
-    // Between two limits nothing is left to a greatest speed.
+    // If both limits are given, the upper limit of the prior does not apply.
     assert_eq!(refusal("at_least = \"255 km/h\", at_most = \"295 km/h\""), "");
 }
 
@@ -1136,7 +1137,7 @@ fn a_mark_is_sought_between_the_steps() {
     assert!(worst < 0.03, "{worst}");
 }
 
-/// In whatever form the case gives what enters the impact, the particles of a block are those of its cases.
+/// Whatever form the inputs of the impact have, the particles of a block are those of its cases.
 #[test]
 fn a_block_of_any_case_is_its_cases() {
     let mut seen = BTreeSet::new();
@@ -1184,7 +1185,8 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     assert_eq!(side.observed.crush.unwrap().0[0].bias, evidence::FITTED.crush_bias);
 }
 
-/// The answer beside that of the field is the one that its own run finds.
+/// The answer for a serious injury, shown next to that of the field, equals the one from a run with that
+/// prior.
 #[test]
 fn a_serious_injury_is_told_beside_the_answer_and_can_be_asked_for() {
     let case = read(include_str!("../../../../fixtures/estimate.toml"));
@@ -1295,7 +1297,7 @@ fn a_rest_of_a_wreck_is_no_evidence() {
     assert!(warnings.iter().all(|warning| warning.code() != "wreck-alone"));
 }
 
-/// A speed with a range is known as the case says, whatever the evidence adds to it.
+/// A speed with a range counts as given by the case, whatever the evidence adds to it.
 #[test]
 fn a_given_speed_is_told() {
     let text = CENTRAL.replace("speed = \"0 km/h\"", "speed = { value = \"5 m/s\", sd = \"1 m/s\" }");
@@ -1305,7 +1307,7 @@ fn a_given_speed_is_told() {
     assert!(!of(&estimated, speed(VehicleId::One)).is_given);
 }
 
-/// Points that nothing can be followed to are under their own key.
+/// Points to which no vehicle can be followed are reported under their own key.
 #[test]
 fn points_that_are_not_followed_are_named() {
     let unused = |after: &str| {
@@ -1330,7 +1332,7 @@ fn a_velocity_of_zero_stands() {
     }
 }
 
-/// A known speed is known whatever is not known of the heading: backward at 3 m/s in every draw.
+/// A known speed stays known even if the heading is uncertain: backward at 3 m/s in every draw.
 #[test]
 fn a_given_velocity_is_a_given_speed() {
     let text = CENTRAL

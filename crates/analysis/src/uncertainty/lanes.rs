@@ -33,7 +33,7 @@ pub(crate) enum Alone {
     NoDamage,
     /// An input is missing, or a requested result is not one of an impact.
     Incomplete,
-    /// A number with a range is not read: no result depends on it, but that is not certain.
+    /// The block does not read one of the numbers with a range, probably because no result depends on it.
     Unread,
 }
 

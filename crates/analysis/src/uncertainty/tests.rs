@@ -582,7 +582,7 @@ const IDLE: [&str; 11] = [
 /// number, or is not available.
 #[test]
 fn a_block_ignores_no_key() {
-    // What is asked of the time before the impact enters no impact.
+    // The keys of questions about the time before the impact do not enter the impact.
     let is_of_impact = |key: &String| !inputs::is_of_avoid(key);
     let mut missing: BTreeSet<String> = case::number_keys().into_iter().filter(is_of_impact).collect();
     let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
@@ -676,8 +676,8 @@ fn hash(columns: &[Vec<f64>]) -> u64 {
     bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3))
 }
 
-/// In whatever form the case gives what enters the impact: a sample of a block has the bits of the single
-/// case with its numbers.
+/// Whatever form the inputs of the impact have, a sample of a block has the bits of the single case with its
+/// numbers.
 #[test]
 fn a_block_of_any_case_has_the_bits_of_its_samples() {
     let mut seen = BTreeSet::new();

@@ -12,7 +12,7 @@ use inputs::{
 
 /// Error text for a range where none is allowed.
 const EXACT_PLACE: &str = "a string with a number and a unit, because this place is exact";
-/// What has corners, and what else would describe it.
+/// The name of a shape with corners, and advice on another way to describe it.
 #[derive(Clone, Copy)]
 pub(super) struct Shape {
     name: &'static str,

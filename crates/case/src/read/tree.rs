@@ -307,7 +307,8 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// Reports an element of a list that says nothing: it would count, and could not be written back.
+    /// Reports an element of a list that has no key: it would count as an element, but could not be written
+    /// back.
     pub(super) fn not_empty(&mut self, table: &Table<'t>, forms: &'static str) {
         let names: Vec<&'static str> = table.schema.names().collect();
         if table.given(&names).is_empty() {

@@ -11,7 +11,7 @@ mod arguments;
 
 const FOLDERS: [&str; 4] = ["docs", "docs/guide", "crates/report", "benches"];
 
-/// What a word in capitals stands for.
+/// The meaning of a word in capitals.
 fn meant(word: &str) -> Vec<&str> {
     match word.trim_end_matches('…') {
         "CASE" => vec!["case.toml"],
@@ -45,7 +45,7 @@ fn meant(word: &str) -> Vec<&str> {
     }
 }
 
-/// The words as a shell parts them, where double quotes keep several together.
+/// The words as a shell separates them, with several kept together by double quotes.
 fn words(code: &str) -> Vec<String> {
     let mut words = Vec::new();
     for (index, part) in code.split('"').enumerate() {
@@ -71,7 +71,8 @@ fn command_lines(code: &str) -> Vec<Vec<String>> {
     lines
 }
 
-/// Whether the program would read it. Text may name a command without what it needs, such as its file.
+/// Whether the program would read it. Text may name a command without its required arguments, such as its
+/// file.
 fn read(line: &[String]) -> Result<(), String> {
     match arguments::Command::try_parse_from(line) {
         Ok(_) => Ok(()),
@@ -175,7 +176,7 @@ fn what_the_program_does_not_have_is_refused() {
     );
 }
 
-/// The placeholder of a command stands for each there is.
+/// The placeholder of a command stands for each of the commands.
 #[test]
 fn every_command_is_known() {
     let names: Vec<String> = arguments::Command::command()
@@ -249,7 +250,7 @@ fn every_command_is_in_one_group() {
     }
 }
 
-/// The values that an option takes stand in its line or in the list below; `deltav explain` lists the topics.
+/// The values that an option takes are in its line or in the list below; `deltav explain` lists the topics.
 #[test]
 fn the_help_names_every_value_of_an_option() {
     let command = arguments::command();
@@ -272,7 +273,7 @@ fn the_help_names_every_value_of_an_option() {
     assert!(count > 80, "only {count} values");
 }
 
-/// What the help has no room for, topics explain, and there they are.
+/// Topics explain what the help has no room for, and those topics exist.
 #[test]
 fn the_help_leads_to_topics_that_exist() {
     let mut count = 0;

@@ -8,7 +8,7 @@ use case::{CaseFile, CaseProblem, Dimension};
 
 use crate::guide::prose::{Page, page, pages, root};
 
-/// Where a piece of a case file can stand.
+/// The tables in which a piece of a case file can be.
 const TABLES: [&str; 13] = [
     "[scene]",
     "[vehicle1]",
@@ -38,10 +38,10 @@ const BEFORE_A_TABLE: [&str; 9] = [
     "[impact]\ntangential = ",
 ];
 
-/// What is no word of the case file, and is meant otherwise: how a console block begins, where it is
+/// Words that are not from the case file and have another meaning: how a console block begins, where it is
 /// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a
-/// field of the library, a key within one of the JSON, keys of the JSON of a case whose evidence is weighed,
-/// which takes a while, a variable of the environment.
+/// field of the library, a key within a key of the JSON, keys of the JSON of a case whose evidence is
+/// weighed, which takes a while, an environment variable.
 const OTHER: [&str; 10] = [
     "$",
     "...",
@@ -55,7 +55,7 @@ const OTHER: [&str; 10] = [
     "DELTAV_PROGRESS=off",
 ];
 
-/// A piece may leave out what it is not about.
+/// A piece may leave out keys of other topics.
 fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,
@@ -90,7 +90,7 @@ fn identifiers(code: &str) -> Vec<&str> {
     words.filter(|word| !word.is_empty()).collect()
 }
 
-/// The keys and the values in words of the case file, from its schema.
+/// The keys of the case file and their values that are words, from its schema.
 fn vocabulary() -> Vec<String> {
     fn gather(value: &serde_json::Value, words: &mut Vec<String>) {
         if let Some(object) = value.as_object() {
@@ -243,7 +243,7 @@ fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {
     } else if let Some(table) = code.strip_prefix('[').and_then(|code| code.strip_suffix(']')) {
         table.split('.').all(|part| is_known(part, vocabulary))
     } else if code.contains(" = ") || code.starts_with('{') {
-        // One that is shortened has its keys; one letter stands for a number.
+        // A shortened piece has its keys; one letter stands for a number.
         let shortened = code.contains('…') || !code.contains(" = ") || code.contains("= { x, y }") || {
             let value = code.rsplit("= ").next().unwrap().trim_end_matches([' ', '}']);
             value.chars().count() == 1 && value.chars().all(char::is_alphabetic)
@@ -262,7 +262,7 @@ fn everything_that_the_text_names_exists() {
     let vocabulary = vocabulary();
     let mut count = 0;
     let mut wrong = Vec::new();
-    // How the program is made has its own words, in docs/mutants.md and docs/versioning.md;
+    // The development of the program has its own words, in docs/mutants.md and docs/versioning.md;
     // docs/guide/case-file.md is made from the list of the keys; docs/scale.md speaks of the Python package
     // and of Spark.
     let apart = [

@@ -4,9 +4,9 @@
 //! read (`keys.rs`). For those in the sentences and tables, `facts.rs` and `glossary.rs` have patterns that
 //! are put together from the source of their numbers: a result of the program, a constant, a place in another
 //! page. A pattern is a short anchor word and the numbers with their units, `"warns … 0.3 … 15 m/s"`: the
-//! words between may change, the numbers may not. A number that no pattern holds fails here, and so does a
-//! pattern that the page does not have. So if a digit of the page or a result of the program changes, this
-//! test says which.
+//! words between may change, the numbers may not. A number that is in no pattern fails here, and so does a
+//! pattern that is not in the page. So if a digit of the page or a result of the program changes, this test
+//! says which.
 
 use std::ops::Range;
 
@@ -16,10 +16,10 @@ mod facts;
 mod glossary;
 mod ledger;
 
-/// Made from the list of the keys and the table of the units, and held by the tests of the crate `case`.
+/// Made from the list of the keys and the table of the units, and checked by the tests of the crate `case`.
 const MADE: &str = "docs/guide/case-file.md";
 
-/// Names and dates that hold a number.
+/// Names and dates that contain a number.
 const NAMES: [&str; 10] = [
     "fixtures/sae-980025",
     "SAE 980025, 1998",
@@ -58,8 +58,8 @@ fn sentences(page: &Page) -> String {
     kept.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Where numbers stand: digits with points and commas between them, but not those of a symbol, such as d_1 or
-/// J670.
+/// The places of numbers: digits with points and commas between them, but not those of a symbol, such as d_1
+/// or J670.
 fn numbers(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     for (start, _) in text.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
@@ -107,7 +107,7 @@ const GAP: &str = " … ";
 /// (bytes) the longest gap.
 const WIDEST_GAP: usize = 200;
 
-/// Where the part stands, but not within a longer number.
+/// The places of the part, but not within a longer number.
 fn part_places<'a>(text: &'a str, part: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let is_whole = move |place: &Range<usize>| {
@@ -124,8 +124,8 @@ fn part_places<'a>(text: &'a str, part: &'a str) -> impl Iterator<Item = Range<u
     text.match_indices(part).map(|(start, part)| start..start + part.len()).filter(is_whole)
 }
 
-/// The places of the parts of the pattern, each time that all of them stand in this order. No number may
-/// stand between them but a reference.
+/// The places of the parts of the pattern, for each time that all of them occur in this order. No number may
+/// be between them except a reference.
 fn places(text: &str, pattern: &str, sourced: &[Range<usize>]) -> Vec<Vec<Range<usize>>> {
     let mut parts = pattern.split(GAP);
     let first = parts.next().unwrap_or_default();
@@ -147,14 +147,14 @@ fn places(text: &str, pattern: &str, sourced: &[Range<usize>]) -> Vec<Vec<Range<
     part_places(text, first).filter_map(whole).collect()
 }
 
-/// The number in brackets, between what stands around it.
+/// The number in brackets, with the text around it.
 fn in_its_place(text: &str, number: Range<usize>) -> String {
     let before: Vec<char> = text[..number.start].chars().rev().take(40).collect();
     let after: String = text[number.end..].chars().take(40).collect();
     format!("{}[{}]{after}", before.into_iter().rev().collect::<String>(), &text[number])
 }
 
-/// What of these sentences has no source, and the patterns that do not stand in them.
+/// The numbers of these sentences without a source, and the patterns that are not in them.
 fn without_source(text: &str, patterns: &[&str], theory: &Page) -> Vec<String> {
     let mut sourced = numbers(text);
     sourced.retain(|number| !is_reference(text, number, theory));
@@ -174,7 +174,7 @@ fn without_source(text: &str, patterns: &[&str], theory: &Page) -> Vec<String> {
     open.map(|number| format!("no source: {}", in_its_place(text, number))).chain(missing).collect()
 }
 
-/// The sentences of each page whose numbers are held, and the patterns that hold them.
+/// The sentences of each page whose numbers are checked, and the patterns that check them.
 fn held() -> Vec<(Page, String, Vec<String>)> {
     let facts = facts::facts();
     let guide = pages(&["docs/guide"]).into_iter().filter(|page| page.name != MADE);
@@ -200,11 +200,11 @@ fn every_number_has_a_source() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// The test above would see it: each digit of each number that is no reference, changed by one.
+/// The test above notices each digit of each number that is not a reference, if it is changed by one.
 #[test]
 fn a_changed_digit_is_noticed() {
     let theory = page("docs/theory.md");
-    // Numbers without a source in a text, all else of which is left aside.
+    // The count of numbers without a source in a text; the rest of the page is ignored.
     let open = |text: &str, patterns: &[&str]| {
         let problems = without_source(text, patterns, &theory);
         problems.into_iter().filter(|problem| problem.starts_with("no source")).count()
@@ -220,7 +220,7 @@ fn a_changed_digit_is_noticed() {
             for place in number.clone().filter(|place| text.as_bytes()[*place].is_ascii_digit()) {
                 let digit = text.as_bytes()[place] - b'0';
                 let other = format!("{}{}{}", &text[..place], (digit + 1) % 10, &text[place + 1..]);
-                // It is seen at its place, or by a pattern that the whole page has no more.
+                // It is noticed at its place, or by a pattern that is no longer in the whole page.
                 let is_noticed = open(&other[around.clone()], &patterns) > as_it_is
                     || without_source(&other, &patterns, &theory) != problems;
                 if !is_noticed {
@@ -244,7 +244,7 @@ fn around(text: &str, number: &Range<usize>) -> Range<usize> {
     start..end
 }
 
-/// What is a link and says which section it leads to leads there.
+/// A link whose text names a section leads to that section.
 #[test]
 fn every_section_is_the_one_that_the_link_leads_to() {
     let mut count = 0;

@@ -1,4 +1,4 @@
-//! The pages, and what stands in them outside of fenced blocks.
+//! The pages, and their text outside of fenced blocks.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -64,7 +64,7 @@ impl Page {
         lines
     }
 
-    /// What stands between backticks, with a space for each line break.
+    /// The texts between backticks, with a space for each line break.
     pub(crate) fn inline_code(&self) -> Vec<String> {
         let text = self.unfenced().join(" ");
         text.split('`').skip(1).step_by(2).map(str::to_owned).collect()

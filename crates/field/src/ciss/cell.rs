@@ -1,4 +1,4 @@
-//! A cell of a table, without NHTSA's codes for what is not known.
+//! A cell of a table, without NHTSA's codes for unknown values.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub enum CissCell {
     Text(String),
 }
 
-/// As a table of comma-separated values has it.
+/// As in a table of comma-separated values.
 impl fmt::Display for CissCell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -31,7 +31,7 @@ impl fmt::Display for CissCell {
     }
 }
 
-/// What the cells of a column are.
+/// The kind of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// The case file knows the codes of each quantity, so a value of a recorder is kept as a text.
@@ -40,7 +40,7 @@ pub(super) enum Kind {
     Code,
     /// (°) an angle.
     Angle,
-    /// (km/h) what a recorder stored.
+    /// (km/h) a value that a recorder stored.
     Recorded,
     /// (cm, kg, km/h, J) any other measurement.
     Measure,
@@ -63,7 +63,7 @@ const MOST_WHOLE: f64 = 9_007_199_254_740_992.0;
 /// Reads a cell of a column.
 ///
 /// # Errors
-/// What the cell should have been.
+/// The kind of value that the cell should contain.
 pub(super) fn read(column: &str, text: &str) -> Result<CissCell, &'static str> {
     let (kind, text) = (kind(column), text.trim());
     // SAS writes a missing value as a point.
@@ -93,7 +93,7 @@ fn whole(number: f64) -> Option<i64> {
 }
 
 /// Whether a number, of either sign, is one of NHTSA's codes for an unknown value: three to seven digits that
-/// are 8 throughout, or 9 throughout but for a last digit of 5 to 9. A measurement of that size is lost, too.
+/// are all 8, or all 9 except for a last digit of 5 to 9. A measurement of that size is lost, too.
 fn is_unknown(number: f64) -> bool {
     let number = number.abs();
     [1e3, 1e4, 1e5, 1e6, 1e7].into_iter().any(|end| {

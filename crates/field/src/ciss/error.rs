@@ -13,7 +13,7 @@ pub enum CissError {
     NoTable {
         /// Its name.
         table: &'static str,
-        /// The files that there are.
+        /// The files that were found.
         files: Vec<String>,
     },
     /// The tables are those of the sample before CISS.
@@ -42,7 +42,7 @@ pub enum CissError {
         /// The files.
         files: [String; 2],
     },
-    /// The rows cannot be told apart.
+    /// The rows cannot be separated.
     #[error("{file}: it is not a table of comma-separated values: {reason}")]
     Table {
         /// The file.
@@ -103,7 +103,7 @@ pub enum CissError {
     Rows {
         /// Name of the table.
         table: &'static str,
-        /// What both are of.
+        /// The key of both.
         key: String,
     },
     /// A crash without a year.
@@ -130,7 +130,7 @@ pub enum CissError {
     },
 }
 
-/// (–) so many files are named.
+/// (–) at most this many files are named.
 const NAMED: usize = 40;
 
 fn has(files: &[String]) -> String {

@@ -1,4 +1,4 @@
-//! Crashes that the tables have, as one table.
+//! The crashes in the tables, as one table.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::read::{read, read_objects};
 pub struct CissTable {
     /// Its name in CISS.
     pub name: &'static str,
-    /// The file that has it.
+    /// Its file.
     pub file: String,
     /// (–) number of its rows.
     pub rows: usize,
@@ -20,7 +20,7 @@ pub struct CissTable {
 /// Why a crash of the tables is not among those that are judged; the first reason counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum CissLeftOut {
-    /// The tables do not say which damage is of the collision.
+    /// The tables do not show which damage belongs to the collision.
     SeveralDamages,
     /// Damage to the top, the underside or an unknown plane.
     Plane,
@@ -39,13 +39,13 @@ pub enum CissLeftOut {
 /// Crashes of a year, as a table.
 #[derive(Clone, Debug)]
 pub struct CissCrashes {
-    /// The tables that they were made of.
+    /// The tables from which they were made.
     pub tables: Vec<CissTable>,
-    /// Whether each is a vehicle that struck a fixed object, and not a pair of vehicles.
+    /// Whether each is a vehicle that struck a fixed object, instead of a pair of vehicles.
     pub is_of_objects: bool,
-    /// A crash a row, with a cell for each of the [columns](CissCrashes::columns).
+    /// One row for each crash, with a cell for each of the [columns](CissCrashes::columns).
     pub rows: Vec<Vec<CissCell>>,
-    /// (–) numbers of crashes that are left out.
+    /// (–) numbers of crashes that are left out, by reason.
     pub left_out: BTreeMap<CissLeftOut, usize>,
 }
 
@@ -56,14 +56,14 @@ pub struct CissColumn {
     pub name: String,
     /// `text`, `integer` or `number`.
     pub kind: &'static str,
-    /// NHTSA's name of it.
+    /// Its name at NHTSA.
     pub of: &'static str,
 }
 
-/// What every crash has, before its vehicles.
+/// The columns of every crash, before those of its vehicles.
 const KEYS: [&str; 3] = ["YEAR", "CASEID", "EVENTNO"];
 
-/// What every vehicle has.
+/// The columns of every vehicle.
 pub(super) const OF_VEHICLE: [&str; 29] = [
     "VEHNO",
     "MAKE",
@@ -96,11 +96,11 @@ pub(super) const OF_VEHICLE: [&str; 29] = [
     "MAXDVLAT",
 ];
 
-/// What a vehicle has that struck an object.
+/// The column of a vehicle that struck an object.
 pub(super) const OBJECT: &str = "OBJCONT";
 
 impl CissLeftOut {
-    /// The reason, of pairs or of vehicles that struck an object.
+    /// The reason, for pairs or for vehicles that struck an object.
     #[must_use]
     pub fn why(self, is_of_objects: bool) -> &'static str {
         match (self, is_of_objects) {
@@ -142,7 +142,7 @@ impl CissCrashes {
         keys.chain(of(1)).chain(of(2)).collect()
     }
 
-    /// Whether what judges it refuses a cell of a crash.
+    /// Whether the reader of the table would refuse a cell of a crash.
     pub(super) fn is_refused(row: &[CissCell], is_of_objects: bool) -> bool {
         let text = Self::table(is_of_objects, [row]);
         let read = if is_of_objects { read_objects(&text).map(|_| ()) } else { read(&text).map(|_| ()) };
@@ -158,8 +158,8 @@ impl CissCrashes {
         all
     }
 
-    /// The table as comma-separated values: what [`read`](crate::read) and
-    /// [`read_objects`](crate::read_objects) take.
+    /// The table as comma-separated values, for [`read`](crate::read) and
+    /// [`read_objects`](crate::read_objects).
     #[must_use]
     pub fn csv(&self) -> String {
         Self::csv_of(self.is_of_objects, [self])

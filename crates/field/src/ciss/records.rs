@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::error::CissError;
 use super::table::{CissFiles, Layout, Row, Rows};
 
-/// What a recorder stored of an event, as `records` of a case take it: comma-separated values with the
-/// columns PCODE, PTIME and PVALUE.
+/// The data that a recorder stored of an event, in the form for `records` of a case: comma-separated values
+/// with the columns PCODE, PTIME and PVALUE.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CissRecord {
     /// Before the impact, if it has a speed.

@@ -26,7 +26,7 @@ fn write(text: &mut csv::Writer<Vec<u8>>, cells: impl Iterator<Item = String>) -
     text.write_record(cells).map_err(|error| Error::io_error(&error.into()))
 }
 
-/// Dates and times have no column that is read.
+/// No column that is read contains a date or a time.
 fn cell(value: &CellValue<'_>) -> String {
     match value {
         CellValue::Int32(number) => number.to_string(),

@@ -1,4 +1,4 @@
-//! Which file has a table, and the columns of it that are read.
+//! Finds the file of a table, and reads its columns.
 
 use std::borrow::Cow;
 
@@ -76,7 +76,7 @@ pub(super) const EDREVENT: Layout = Layout {
 pub(super) const EVENT: Layout =
     Layout { name: "EVENT", needed: &["CASEID", "EVENTNO", "VEHNUM", "OBJCONT"], optional: &[] };
 
-/// Whether a folder, by the names of its files, has one of the tables that pairs are made of.
+/// Whether a folder, by the names of its files, has one of the tables from which pairs are made.
 #[must_use]
 pub fn has_tables(names: &[String]) -> bool {
     [CRASH, GV, CDC, EDREVENT]
@@ -88,7 +88,7 @@ const CSV: &str = ".csv";
 const SAS: &str = ".sas7bdat";
 const ENDINGS: [&str; 2] = [CSV, SAS];
 
-/// The places of files with the name of a table, in letters of either case.
+/// The places of files with the name of a table, in upper or lower case.
 fn named<'a>(
     names: &'a [String],
     table: &'a Layout,
@@ -133,9 +133,9 @@ fn missing(names: &[String], table: &Layout) -> CissError {
 pub(super) struct Rows {
     columns: Vec<&'static str>,
     cells: Vec<Vec<CissCell>>,
-    /// The file that has it.
+    /// Its file.
     pub(super) file: String,
-    /// (–) number of rows that the file has.
+    /// (–) number of rows in the file.
     pub(super) count: usize,
 }
 
@@ -221,7 +221,7 @@ impl Rows {
     }
 }
 
-/// Reads a table of pairs back that was saved, a row for each pair with a cell for each of its
+/// Reads a saved table of pairs: a row for each pair with a cell for each of its
 /// [columns](CissCrashes::columns).
 ///
 /// # Errors
@@ -247,7 +247,7 @@ pub fn read_pairs(file: &str, content: &[u8]) -> Result<Vec<Vec<CissCell>>, Ciss
 /// A column that is read.
 struct Place<'a> {
     column: &'a str,
-    /// NHTSA's name of it.
+    /// Its name at NHTSA.
     of: &'static str,
     /// Its place in the header.
     place: usize,

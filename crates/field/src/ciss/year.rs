@@ -1,4 +1,4 @@
-//! Which crashes of a year can be judged.
+//! Selects the crashes of a year that can be judged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -19,19 +19,20 @@ struct Tables {
     gv: Rows,
     cdc: Rows,
     edrevent: Rows,
-    /// If CDC does not say what each vehicle struck.
+    /// Only used if CDC does not give what each vehicle struck.
     event: Option<Rows>,
 }
 
 /// The pairs of vehicles of a year, in the order of crash, event and vehicle.
 ///
-/// A pair is two vehicles with damage by one event that each name the other as what they struck (OBJCONT of
-/// CDC, or of EVENT where CDC has no such column). It is kept if the damage of both is on front, back, left
-/// or right with all of C1 to C6, a length and a PDOF, if both have a curb weight, if a recorder of one has a
-/// ΔV of this event (CDCEVENT), of several records the one with the largest, and if no number is implausible.
+/// A pair is two vehicles with damage by one event, each of which names the other as the object that it
+/// struck (OBJCONT of CDC, or of EVENT if CDC has no such column). It is kept if the damage of both is on
+/// front, back, left or right with all of C1 to C6, a length and a PDOF; if both have a curb weight; if a
+/// recorder of one has a ΔV of this event (CDCEVENT), where the largest of several records counts; and if no
+/// number is implausible.
 ///
 /// # Errors
-/// If a table or a column is missing, or a cell is no number, with file, line and column.
+/// If a table or a column is missing, or a cell is not a number, with file, line and column.
 pub fn pairs<F: CissFiles>(files: &mut F) -> Result<CissCrashes, F::Error> {
     Ok(found(&Tables::read(files)?, false)?)
 }
@@ -62,7 +63,7 @@ impl Tables {
         always.into_iter().map(|(table, rows)| of(table.name, rows)).chain(event).collect()
     }
 
-    /// The damages of each vehicle by each event.
+    /// The damages to each vehicle by each event.
     fn damages(&self) -> BTreeMap<Event, BTreeMap<Vehicle, Vec<Row<'_>>>> {
         let mut damages: BTreeMap<Event, BTreeMap<_, Vec<_>>> = BTreeMap::new();
         for row in self.cdc.iter() {
@@ -90,7 +91,7 @@ impl Tables {
         }
     }
 
-    /// What the recorder of a vehicle stored of an event: of several records the one with the largest ΔV.
+    /// The record of a vehicle's recorder for an event: if there are several, the one with the largest ΔV.
     fn recorders(&self) -> BTreeMap<(Event, Vehicle), Row<'_>> {
         let mut recorders: BTreeMap<(Event, Vehicle), Row<'_>> = BTreeMap::new();
         for row in self.edrevent.iter() {
@@ -113,7 +114,7 @@ fn size(row: Row<'_>) -> Option<f64> {
     }
 }
 
-/// The rows of a table by what they are of.
+/// The rows of a table by their keys.
 fn by_key<'a, const N: usize>(
     rows: &'a Rows,
     table: &'static str,
@@ -130,7 +131,7 @@ fn by_key<'a, const N: usize>(
     Ok(found)
 }
 
-/// A vehicle that was hit, with all that the tables have of it.
+/// A vehicle that was hit, with all its data in the tables.
 struct Hit<'a> {
     damages: &'a [Row<'a>],
     general: Option<Row<'a>>,
@@ -176,7 +177,7 @@ fn why_not(vehicles: &[Hit<'_>], is_of_object: bool) -> Option<CissLeftOut> {
     reasons.into_iter().find(|(_, is_so)| is_so()).map(|(reason, _)| reason)
 }
 
-/// What the tables have of each thing.
+/// The rows of the tables by their keys.
 struct Year<'a> {
     years: BTreeMap<[i64; 1], Row<'a>>,
     general: BTreeMap<[i64; 2], Row<'a>>,
@@ -192,8 +193,8 @@ struct Candidate {
     object: Option<i64>,
 }
 
-/// NHTSA's codes OBJCONT of what is no vehicle of the crash and can be struck: those of the vehicles that the
-/// figures of objects were fitted to.
+/// NHTSA's codes OBJCONT for objects that are not vehicles of the crash: those struck by the vehicles to
+/// which the figures for objects were fitted.
 pub const OBJECTS: RangeInclusive<i64> = 31..=97;
 
 impl<'a> Year<'a> {
@@ -207,7 +208,7 @@ impl<'a> Year<'a> {
         })
     }
 
-    /// The vehicles of an event of which each struck the other.
+    /// The vehicles of an event that struck each other.
     fn couples(&self, event: Event) -> Vec<Candidate> {
         let struck = |one, other| self.contacts.contains(&(event, one, other));
         let vehicles: Vec<Vehicle> =
@@ -222,8 +223,8 @@ impl<'a> Year<'a> {
             .collect()
     }
 
-    /// The vehicles of an event that struck an object; of several objects the lowest code, which makes no
-    /// difference, as a vehicle with several damages is left out.
+    /// The vehicles of an event that struck an object. The lowest code of several objects is taken, which
+    /// makes no difference, as a vehicle with several damages is left out.
     fn single(&self, event: Event) -> Vec<Candidate> {
         let vehicles = self.damages.get(&event).into_iter().flat_map(BTreeMap::keys);
         let object =

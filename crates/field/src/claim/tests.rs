@@ -60,12 +60,12 @@ fn a_program_is_judged_by_its_columns() {
     assert_eq!(all.coverage95.unwrap()[0], 0.5);
     assert!((all.interval_score.unwrap() * 3.6 - (15.0 + 15.0 + 200.0) / 2.0).abs() < 1e-9);
     assert_eq!(claims.groups[1].name, "front-front");
-    // Without intervals there is nothing to say of them.
+    // Without intervals, they have no figures.
     let claims = judge_claims(&text, &pairs, &"OURS".parse().unwrap()).unwrap();
     assert_eq!((claims.groups[0].coverage95, claims.groups[0].interval_score), (None, None));
 }
 
-/// WinSMASH's column judged as any other is what stands beside every judgement.
+/// WinSMASH's column, judged like any other, gives the figures that accompany every judgement.
 #[test]
 fn what_cannot_be_judged_is_told_with_its_place() {
     let judge = |row, columns: &str| {

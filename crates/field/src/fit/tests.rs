@@ -121,7 +121,7 @@ fn the_expansion_has_the_derivatives() {
 }
 
 /// A single pair is weak evidence: the figures stay near their guesses, nearly as uncertain. For kinds of
-/// vehicle that it lacks, it is no evidence at all.
+/// vehicle that it lacks, it is not evidence at all.
 #[test]
 fn a_single_pair_hardly_changes_the_guesses() {
     let pairs = [pair("1", [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)])];

@@ -77,7 +77,7 @@ fn the_speed_at_impact_follows_from_the_last_samples() {
     // Half a second of braking takes at most 0.75 g · 0.5 s = 3.7 m/s.
     let braked = last(0.5, Some(true));
     assert!(braked < 0.28 && braked > 0.28 - 3.7, "{braked}");
-    // The stored speed is the only one that counts where it is exact.
+    // If the stored speed is exact, only it counts.
     assert!(last(0.5, Some(false)) > braked);
 }
 

@@ -16,8 +16,8 @@ impl<T: Copy> Case<T> {
         self.avoid.as_ref().and_then(|avoid| avoid.vehicle).unwrap_or(VehicleId::One)
     }
 
-    /// The speed of that vehicle, and how it is known. What is to be found is not given, even if the file has
-    /// it.
+    /// The speed of that vehicle, and how it is known. A speed that is to be found does not count as known,
+    /// even if the file gives it.
     #[must_use]
     pub fn avoid_speed(&self) -> SpeedForm<T> {
         let subject = self.avoid_subject();
@@ -60,7 +60,7 @@ impl Case {
     }
 }
 
-/// Whether a key belongs to the question whether the collision was avoidable alone.
+/// Whether a key belongs only to the question whether the collision was avoidable.
 #[must_use]
 pub fn is_of_avoid(path: &str) -> bool {
     path.starts_with("avoid.") || path.contains(".before.phase")

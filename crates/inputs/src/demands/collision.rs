@@ -1,4 +1,5 @@
-//! What an impact needs of a case: geometry, law and motions of both vehicles, and the speed to find.
+//! The data that an impact needs from a case: geometry, law and motions of both vehicles, and the speed to
+//! find.
 
 use crash3::{EnergyMoments, Side};
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, VehicleId};
@@ -20,7 +21,7 @@ impl<T: Real> Demand<'_, T> {
         vehicle.contact.as_ref().map(|contact| contact.point(self.case.axes))
     }
 
-    /// (m) C forward and left of the CG, at the centroid of a damage of which the case tells where it lies.
+    /// (m) C forward and left of the CG, at the centroid of a damage whose position the case gives.
     pub(super) fn placed_contact(
         &mut self,
         id: VehicleId,
@@ -33,7 +34,7 @@ impl<T: Real> Demand<'_, T> {
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
-    /// Reports that a vehicle has no contact point, and what the program would place it by.
+    /// Reports that a vehicle has no contact point, and the data by which the program would place it.
     fn missing_contact(&mut self, id: VehicleId) {
         let table = table(id);
         let vehicle = &self.case.vehicles[id.index()];
@@ -102,7 +103,7 @@ impl<T: Real> Demand<'_, T> {
             }
             return unknown;
         }
-        // Of one vehicle alone nothing can be found.
+        // No speed can be found for a vehicle alone.
         if self.case.vehicles.iter().any(GivenVehicle::is_absent) {
             return None;
         }
@@ -194,7 +195,7 @@ impl<T: Real> Demand<'_, T> {
         };
         let course = match velocity {
             Velocity::Speed(_) => self.case.course(id).or(self.case.headings()[id.index()])?,
-            // It tells its direction itself.
+            // A vector has its own direction.
             Velocity::Vector { .. } => T::ZERO,
         };
         Some(Motion { velocity: velocity.vector(self.case.axes, course), yaw_rate })

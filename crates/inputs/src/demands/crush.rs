@@ -1,4 +1,4 @@
-//! What the damage of a vehicle needs of a case, and the direction of the force on it.
+//! The data that the damage of a vehicle needs from a case, and the direction of the force on it.
 
 use std::fmt::{self, Display};
 
@@ -14,7 +14,7 @@ use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::vehicle::GivenVehicle;
 
-/// What finds a speed without any damage.
+/// How to find a speed without any damage.
 const WITHOUT_DAMAGE: &str = "; without damage data momentum gives the speed, from how the vehicles left the impact: leave `crush` out of both, and in [vehicle1.after] and \
                               [vehicle2.after] give `speed` and `direction`, or `rest` with `drag`";
 

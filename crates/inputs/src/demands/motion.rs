@@ -1,4 +1,4 @@
-//! What the motion after the impact needs of a case, and what both speeds need.
+//! The data that the motion after the impact, and finding both speeds, need from a case.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -26,18 +26,18 @@ use crate::vehicle::{GivenVehicle, VehicleKind};
 /// a speed could follow: no survey is more exact.
 const LEAST_PATH: f64 = 0.01;
 
-/// What must be known of how a vehicle left the impact.
+/// The required data on how a vehicle left the impact.
 #[derive(Clone, Copy, PartialEq)]
 enum Departed {
-    /// Nothing: the impact tells it.
+    /// None: it follows from the impact.
     ByImpact,
-    /// All of its motion, or its rest.
+    /// All of its motion, or its rest position.
     Wholly,
 }
 
 impl<T> Case<T> {
-    /// Whether the speeds that are sought follow from how the vehicles left the impact: both do; one does
-    /// where no vehicle has damage from which it could follow.
+    /// Whether the speeds that are sought follow from how the vehicles left the impact: always if both are
+    /// sought; for one speed, only if no vehicle has damage from which it could follow.
     #[must_use]
     pub fn is_by_momentum(&self) -> bool {
         let Some(reconstruct) = &self.reconstruct else { return false };
@@ -62,7 +62,7 @@ impl<T> Case<T> {
         })
     }
 
-    /// Whether the case tells how a vehicle left the impact.
+    /// Whether the case gives how a vehicle left the impact.
     fn tells_departure(&self, id: VehicleId) -> bool {
         let after = self.vehicles[id.index()].after.as_ref();
         after.is_some_and(|after| after.rest.is_some() || after.speed.is_some())
@@ -70,7 +70,8 @@ impl<T> Case<T> {
 }
 
 impl<T: Real> Case<T> {
-    /// Everything that the motion after the impact needs, from velocities after the impact or from rests.
+    /// Everything that the motion after the impact needs, from velocities after the impact or from rest
+    /// positions.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
@@ -91,8 +92,8 @@ impl<T: Real> Case<T> {
         demand.finish(surface.map(|surface| MotionInput { surface, vehicles }))
     }
 
-    /// What carries on from the impact to the rest: `None` where the case has drag and friction for no
-    /// vehicle. A vehicle without them is left out.
+    /// The data to follow the vehicles from the impact to rest: `None` if the case has drag and friction for
+    /// neither vehicle. A vehicle without them is left out.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
@@ -179,7 +180,7 @@ impl<T: Real> Case<T> {
             if departures[id.index()].is_none() && !has_rest && !(self.locked_together && any_told) {
                 demand.missing_departure(id);
             }
-            // A vehicle of which only the velocity is known need not be followed.
+            // A vehicle that only has a velocity need not be followed.
             if has_rest || self.can_follow(id) {
                 followed[id.index()] = true;
                 demand.is_of_point_masses = false;
@@ -215,7 +216,7 @@ fn has_crush<T>(vehicle: &GivenVehicle<T>) -> bool {
     vehicle.crush.is_some() || vehicle.energy.as_ref().is_some_and(|energy| energy.ees().is_some())
 }
 
-/// What is known of the contact of vehicles whose speeds are sought from momentum.
+/// The known data on the contact of vehicles whose speeds are sought from momentum.
 struct KnownContact<T> {
     geometry: Geometry,
     contact: Contact<T>,
@@ -242,7 +243,7 @@ impl<T: Real> Demand<'_, T> {
         Some(Sought::Beside { vehicle, known })
     }
 
-    /// The contact, as far as the case tells it: what momentum does not need is not demanded.
+    /// The contact, as far as the case gives it: data that momentum does not need are not required.
     fn momentum_contact(&mut self, fixed: Option<VehicleId>) -> Option<KnownContact<T>> {
         let mut whole = Demand::new(self.case, self.purpose);
         let collision = whole.collision(|_| false);
@@ -268,7 +269,7 @@ impl<T: Real> Demand<'_, T> {
             }
             self.given(heading, format_args!("{}.heading", table(id)), "`heading = \"180 deg\"`")
         });
-        // A fixed object gives back what its plane and the restitution say.
+        // The rebound from a fixed object follows from its plane and the restitution.
         let law = if fixed.is_some() { Some(self.law()?) } else { None };
         let ([Some(one), Some(two)], [Some(h1), Some(h2)]) = (vehicles, headings) else { return None };
         let mut vehicles = [one, two];
@@ -459,7 +460,7 @@ impl<T: Real> Demand<'_, T> {
             );
             return None;
         };
-        // Without a subject, what it lacks has been told.
+        // Without a subject, the missing data have already been reported.
         let arm = self.given(
             subject?.contact,
             format_args!("{table}.contact"),
@@ -468,8 +469,7 @@ impl<T: Real> Demand<'_, T> {
         Some(contact - in_scene(arm?, heading?))
     }
 
-    /// (m) where the contact point lies: as given for the scene, or as the CG of `vehicle` and its arm put
-    /// it.
+    /// (m) position of the contact point: as given for the scene, or from the CG of `vehicle` and its arm.
     fn contact_in_scene(&mut self, vehicle: VehicleId) -> Option<Vector2<T>> {
         match &self.case.scene_contact {
             Some(place) => Some(self.place(place)),
@@ -477,14 +477,14 @@ impl<T: Real> Demand<'_, T> {
         }
     }
 
-    /// (m) where the CG of a vehicle, as given, and its arm put the contact point.
+    /// (m) position of the contact point from the given CG of a vehicle and its arm.
     pub(super) fn contact_from(&mut self, vehicle: VehicleId) -> Option<Vector2<T>> {
         let position = self.place(self.case.vehicles[vehicle.index()].position.as_ref()?);
         let heading = self.case.headings()[vehicle.index()]?;
         Some(position + in_scene(self.subject(vehicle)?.contact?, heading))
     }
 
-    /// (m) the place of the CG at the impact, where the case tells it, without a fault where it does not.
+    /// (m) the position of the CG at the impact if the case gives it, without a fault if it does not.
     fn cg_at_impact(&mut self, id: VehicleId) -> Option<Vector2<T>> {
         if let Some(position) = &self.case.vehicles[id.index()].position {
             return Some(self.place(position));
@@ -494,7 +494,7 @@ impl<T: Real> Demand<'_, T> {
         Some(contact - in_scene(self.subject(id)?.contact?, heading))
     }
 
-    /// What is given takes precedence over the class.
+    /// Given values take precedence over those of the class.
     fn axles(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<Axles<T>> {
         let table = table(id);
         let of_class =

@@ -25,7 +25,7 @@ const SI: Option<UnitSystem> = Some(UnitSystem::Si);
 const US: Option<UnitSystem> = Some(UnitSystem::Us);
 const BOTH: Option<UnitSystem> = None;
 
-/// What is known of a dimension.
+/// The data of a dimension.
 pub(super) struct Kind {
     /// Its name with its article.
     pub(super) name: &'static str,

@@ -74,8 +74,8 @@ impl<T: Real> MomentumAndCrush<T> {
     /// approaches the axis is [`Momentum::common_axis`].
     ///
     /// # Errors
-    /// Those of [`Momentum::check`], or if the axis is no unit vector or at right angles to both courses, the
-    /// speeds have no effect on u_n, the crush energy is not positive, or e = 1.
+    /// Those of [`Momentum::check`], or if the axis is not a unit vector or at right angles to both courses,
+    /// the speeds have no effect on u_n, the crush energy is not positive, or e = 1.
     pub fn new(
         momentum: Momentum<T>,
         axis: Vector2<T>,

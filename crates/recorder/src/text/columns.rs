@@ -1,4 +1,4 @@
-//! Columns that stand apart, each with its unit behind its values: `"-1 -0.5 0 s"`.
+//! Separate columns, each with its unit after its values: `"-1 -0.5 0 s"`.
 
 use super::heads::Head;
 use super::raw::RawTable;
@@ -17,7 +17,7 @@ pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
                     Piece::Value(token) => cells.push(token),
                     Piece::Word(word) => match unit_of(&word.text) {
                         Some(unit) => units.push(unit),
-                        // What is neither a value nor a unit is a cell that says nothing.
+                        // A word that is neither a value nor a unit is a cell without a value.
                         None => cells.push(Token { text: word.text, bracket: None, place: word.place }),
                     },
                 }

@@ -56,7 +56,7 @@ pub(super) fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field
     found
 }
 
-/// A value as a field has it: `50 [81]`, `0 (TRG)`.
+/// The value of a field: `50 [81]`, `0 (TRG)`.
 fn token(field: &Field) -> Token {
     let place = field.place;
     let text = field.text.trim_end_matches("(TRG)").trim();
@@ -82,7 +82,7 @@ fn holds_values(fields: &[Field]) -> bool {
         })
 }
 
-/// What a heading of one column names.
+/// The quantity that the heading of a column names.
 fn head(text: &str, place: TextPlace) -> Option<Head> {
     let whole = text.trim().to_lowercase();
     let is_time =
@@ -166,8 +166,8 @@ fn is_transposed(rows: &[Vec<Field>]) -> bool {
     count >= 2 && rows.iter().filter(|fields| holds_values(fields)).count() == 0
 }
 
-/// A quantity at the beginning of a line, and the values behind it. With as many cells as there are times,
-/// some may have words.
+/// A quantity at the beginning of a line, and the values after it. If there are as many cells as times, some
+/// may have words.
 fn label(fields: &[Field], times: Option<usize>) -> Option<(Head, &[Field])> {
     let has_value = |field: &Field| {
         let token = token(field);
@@ -213,7 +213,7 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
             time.is_some_and(|time| is_row(&fields, time) || (named.is_none() && is_full(&fields, width)));
         if holds_values(&fields) || is_row {
             match found.last_mut() {
-                // Between the rows of a table, what names no time is a footer.
+                // A line between the rows of a table that names no time is a footer.
                 Some(table) if named.is_none() => leave(table, &mut heading),
                 _ if !heading.is_empty() => found.push(begun(&std::mem::take(&mut heading), layout)),
                 _ => {}
@@ -251,13 +251,13 @@ fn is_row(fields: &[Field], time: usize) -> bool {
     fields.get(time).is_some_and(|field| number(bare(&token(field).text), false).is_some())
 }
 
-/// Whether a line has as many fields as the table, and values in half of them: a row whose time is none.
+/// Whether a line has as many fields as the table, and values in half of them: a row without a valid time.
 fn is_full(fields: &[Field], width: usize) -> bool {
     let values = fields.iter().filter(|field| is_value(&token(field).text)).count();
     width > 2 && fields.len() == width && values * 2 >= width
 }
 
-/// Tells what looked like a heading and names no time.
+/// Reports lines that looked like a heading but name no time.
 fn leave(table: &mut RawTable, heading: &mut Vec<(String, TextPlace)>) {
     let place = heading.first().map(|(_, place)| *place);
     let filled = heading.drain(..).map(|(text, _)| text).filter(|text| !text.is_empty());

@@ -1,5 +1,4 @@
-//! Text as it copies out of a printed report: lines of words and values without a sure character between
-//! them.
+//! Text copied out of a printed report: lines of words and values without a reliable separator between them.
 
 use super::heads::{Head, heads, labels, quoted};
 use super::raw::RawTable;
@@ -8,7 +7,7 @@ use super::tokens::{Piece, Token, Word, bare, line, number};
 use crate::channel::Channel;
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
-/// A heading and the lines of values below it or beside it.
+/// A heading and the lines of values below it or next to it.
 #[derive(Default)]
 struct Segment {
     heads: Vec<Head>,
@@ -26,22 +25,21 @@ impl Segment {
         self.lines.iter().flatten().cloned().collect()
     }
 
-    /// The number of times, where they stand in one line.
+    /// The number of times, if they are in one line.
     fn across(&self) -> Option<usize> {
         let times = self.lines.first().filter(|_| self.names_time() && row_width(&self.heads).is_none())?;
         (times.len() > 1).then(|| self.lines.iter().map(Vec::len).sum())
     }
 }
 
-/// The number of columns below a heading: of a time, and of quantities behind it.
+/// The number of columns below a heading: a time followed by quantities.
 fn row_width(heads: &[Head]) -> Option<usize> {
     let time = heads.iter().position(|head| head.channel == Channel::Time)?;
     let last = heads.iter().rposition(|head| head.channel == Channel::Time)?;
     (last + 1 < heads.len()).then(|| heads.len() - time)
 }
 
-/// The number of values at the end of a line behind its words, where a quantity stands with its values in one
-/// line.
+/// The number of values at the end of a line after its words, if a quantity and its values are in one line.
 fn trailing(pieces: &[Piece], pending: &[Word]) -> usize {
     let count = pieces.iter().rev().take_while(|piece| matches!(piece, Piece::Value(_))).count();
     let of_numbers = pieces[pieces.len() - count..].iter().any(
@@ -80,7 +78,7 @@ fn phrase(words: &[Word]) -> (String, TextPlace) {
     (text.join(" "), words.first().map_or_else(TextPlace::default, |word| word.place))
 }
 
-/// What a line is.
+/// The kind of a line.
 enum Line {
     /// Cells.
     Values(Vec<Token>),
@@ -124,8 +122,8 @@ impl Segments {
         Line::Labelled(label.to_vec(), rows::tokens(rows::cells(values)))
     }
 
-    /// A row below a heading, with words among its values: it begins with a time, or has values throughout
-    /// behind what stands in its place.
+    /// A row below a heading, with words among its values: it begins with a time, or has only values after
+    /// the cell in the place of the time.
     fn row(&self, pieces: &[Piece], cells: &[Cell]) -> Option<Line> {
         let values = cells.iter().filter(|cell| !cell.is_word).count();
         let is_time = |token: &Token| number(bare(&token.text), false).is_some();
@@ -142,7 +140,7 @@ impl Segments {
         }
         match fitted {
             Some(tokens) => Some(Line::Values(tokens)),
-            // In a heading, a line such as "0 to 100 (%)" is of it.
+            // In a heading, a line such as "0 to 100 (%)" is a part of it.
             None if waiting.is_some() => None,
             None if values > 1 => Some(Line::Values(rows::tokens(cells.to_vec()))),
             None => Some(Line::Unread(phrase(&pieces.iter().cloned().map(as_word).collect::<Vec<_>>()))),
@@ -172,7 +170,7 @@ impl Segments {
         }
         let named = labels(&words).last().map(Head::named);
         let cells = rows::cells(values);
-        // "ABS Fault Off On": the words behind the name are of the first times.
+        // "ABS Fault Off On": the words after the name belong to the first times.
         let missing = width.saturating_sub(cells.len());
         let spare = words.iter().rev().take_while(|word| !word.within).count();
         let free = words.iter().filter(|word| !word.within).count();
@@ -219,7 +217,7 @@ impl Segments {
         }
     }
 
-    /// What the waiting words name: columns, or one quantity in each line.
+    /// The headings that the waiting words name: columns, or one quantity in each line.
     fn named(&self) -> Vec<Head> {
         let columns = heads(&self.pending);
         if row_width(&columns).is_some() {
@@ -246,7 +244,7 @@ fn segments(text: &str) -> Vec<Segment> {
             all.add(line);
         }
     }
-    // A heading at the end, with nothing below it, so that it is told.
+    // A heading at the end with nothing below it is kept, so that it is reported.
     let named = heads(&all.pending);
     if named.len() >= 2 {
         all.found.push(Segment { heads: named, ..Segment::default() });
@@ -278,7 +276,8 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     if segment.lines.is_empty() {
         return Err(TextRefusal::NoRows { heading: title, place: first });
     }
-    // A title above the table that names a quantity of it, "Longitudinal delta-V, 0 to 250 ms", is no column.
+    // A title above the table that names a quantity of it, "Longitudinal delta-V, 0 to 250 ms", is not a
+    // column.
     if let Some(time) = segment.heads.iter().position(|head| head.channel == Channel::Time) {
         segment.heads.drain(..time);
     }
@@ -335,7 +334,7 @@ fn odd_count(counts: &[usize], width: usize) -> usize {
     counts.iter().copied().find(|count| *count != width).unwrap_or(0)
 }
 
-/// After how many columns the headings begin anew.
+/// The number of columns after which the headings repeat.
 fn repeated(heads: &[Head]) -> usize {
     let all = channels(heads);
     let next = all.iter().skip(1).position(|channel| *channel == Channel::Time).map(|k| k + 1);
@@ -350,14 +349,14 @@ fn repeated(heads: &[Head]) -> usize {
     }
 }
 
-/// A table of quantities with their values behind or below each.
+/// A table of quantities, each with its values after or below it.
 fn of_blocks(segments: Vec<Segment>) -> RawTable {
     let across = segments.iter().any(|segment| segment.lines.first().is_some_and(|line| line.len() > 1));
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
     for segment in segments {
-        // With several quantities named before the values, the last is theirs. A title stands above the
-        // times; elsewhere it is one whose values were not recognised.
+        // With several quantities named before the values, the last is theirs. Above the times, the other
+        // names are a title; elsewhere, they are quantities whose values were not recognised.
         let Some((head, above)) = segment.heads.split_last() else { continue };
         let (head, cells) = (head.clone(), segment.flat());
         if head.channel != Channel::Time {

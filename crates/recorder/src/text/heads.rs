@@ -12,19 +12,19 @@ use crate::table::{TextPlace, TextRefusal};
 pub(crate) struct Head {
     pub(crate) text: String,
     pub(crate) channel: Channel,
-    /// Those named in it, the second that of numbers in brackets.
+    /// The units named in it, the second that of numbers in brackets.
     pub(crate) units: Vec<ChannelUnit>,
     pub(crate) place: TextPlace,
     /// The words that name the quantity.
     named: Vec<String>,
-    /// The words beside them, which narrow it down or say that it is another one.
+    /// The words next to them, which narrow it down or show that it is another quantity.
     beside: Vec<String>,
     /// Words in brackets.
     bracketed: Vec<String>,
 }
 
 impl Head {
-    /// A heading whose words say nothing more than this.
+    /// A heading without further words.
     pub(crate) fn of(text: String, channel: Channel, units: Vec<ChannelUnit>, place: TextPlace) -> Self {
         let [named, beside, bracketed] = [const { Vec::new() }; 3];
         Self { text, channel, units, place, named, beside, bracketed }
@@ -43,8 +43,8 @@ impl Head {
         Ok((unit, fitting.next()))
     }
 
-    /// How well its words are those of its quantity, the least the best: with the fewest words beside them,
-    /// and then with the most of them.
+    /// How well its words match its quantity, the smallest being the best: with the fewest other words and,
+    /// among equals, with the most matching words.
     pub(crate) fn rank(&self) -> (usize, Reverse<usize>) {
         (self.beside.len(), Reverse(self.named.len()))
     }
@@ -54,8 +54,8 @@ impl Head {
         self.named.len()
     }
 
-    /// One heading of several that stand in one field or line: that with the longest name, the others beside
-    /// it.
+    /// One heading from several in one field or line: that with the longest name, with the others as
+    /// additional words.
     fn joined(all: &[Self]) -> Option<Self> {
         let longest = all.iter().rev().max_by_key(|head| head.named.len())?;
         let mut whole = Self { place: all.first()?.place, ..longest.clone() };
@@ -69,8 +69,8 @@ impl Head {
         Some(whole)
     }
 
-    /// What all its words say together: a ΔV is along its axis, and words such as "maximum" or "lamp" say
-    /// that the heading is of something else.
+    /// The heading by all its words together: a ΔV is along its axis, and words such as "maximum" or "lamp"
+    /// show that the heading is of something else.
     fn settled(mut self) -> Self {
         if self.channel == Channel::Time {
             return self;
@@ -96,7 +96,7 @@ impl Head {
 /// One of the words into which a word of a heading falls.
 struct Part {
     plain: String,
-    /// Of which word.
+    /// The index of its word.
     of: usize,
     within: bool,
 }
@@ -127,7 +127,7 @@ fn names(parts: &[Part]) -> Vec<(Channel, Range<usize>)> {
         let free: Vec<&str> =
             parts[at..].iter().take_while(|part| !part.within).map(|part| part.plain.as_str()).collect();
         let unit = unit_of(&parts[at].plain);
-        // "Engine speed, rpm": a unit behind a heading that may have it is no further heading.
+        // "Engine speed, rpm": a unit after a heading that may have it is not a further heading.
         let takes = |unit: &ChannelUnit| found.last().is_some_and(|(channel, _)| channel.takes(unit));
         let is_unit = unit.as_ref().is_some_and(takes) && !has_unit;
         match heading_at(&free).filter(|_| !is_unit) {
@@ -169,7 +169,7 @@ fn unsettled(words: &[Word]) -> Vec<Head> {
     let head = |(k, (channel, name)): (usize, &(Channel, Range<usize>))| {
         let own = starts[k]..starts.get(k + 1).copied().unwrap_or(parts.len());
         let first = parts[own.start].of;
-        // A word of which the next heading has the rest is of this one, too.
+        // A word whose rest belongs to the next heading also belongs to this one.
         let last = parts[own.end - 1].of;
         let text: Vec<&str> = words[first..=last].iter().map(|word| word.text.as_str()).collect();
         let around = || own.clone().filter(|at| !name.contains(at)).map(|at| &parts[at]);
@@ -206,7 +206,8 @@ pub(crate) fn heading(words: &[Word]) -> Option<Head> {
     Head::joined(&unsettled(words)).map(Head::settled)
 }
 
-/// What these words name, one quantity in each line: those that begin in the line of another are of it.
+/// The quantities that these words name, one in each line: a name that begins in the line of another belongs
+/// to it.
 pub(crate) fn labels(words: &[Word]) -> Vec<Head> {
     let all = unsettled(words);
     all.chunk_by(|one, next| one.place.line == next.place.line)

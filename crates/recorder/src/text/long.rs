@@ -18,14 +18,14 @@ use crate::table::{CellDoubt, NoValue, TextLayout, TextPlace, TextRefusal};
 const CODE: &str = "PCODE";
 const TIME: &str = "PTIME";
 const VALUE: &str = "PVALUE";
-/// Those that tell records apart, from the crash to the record.
+/// The columns that distinguish records, from the crash to the record.
 const OF_RECORD: [&str; 6] = ["CIRENID", "CASEID", "CASENO", "VEHNO", "EDRSUMMNO", "EDREVENTNO"];
-/// (s or ms) times that say that there is none.
+/// (s or ms) times that mean that there is none.
 const NO_TIME: [f64; 2] = [9996.0, 9997.0];
 /// Maximum number of values that a message lists.
 const LISTED: usize = 8;
 
-/// What a code of NHTSA is, and the unit of its values.
+/// The quantity of a code of NHTSA, and the unit of its values.
 fn coded(code: &str) -> (Channel, &'static str) {
     match code {
         "1010" => (Channel::Speed, "km/h"),
@@ -124,11 +124,11 @@ fn listed(values: &BTreeSet<String>) -> String {
     format!("{}{more}", shown.join(", "))
 }
 
-/// Tables, each with its rows whose time is none.
+/// Tables, each with its rows that have no valid time.
 type LongTables = Vec<(RawTable, Vec<CellDoubt>)>;
 
 /// The tables of a long text, one before the impact and one during it, of the record that `wanted` chooses;
-/// `None` of another text.
+/// `None` for any other text.
 pub(crate) fn tables(text: &str, wanted: &str) -> Result<Option<LongTables>, TextRefusal> {
     let Some(long) = LongText::of(text) else { return Ok(None) };
     let (Some(code), Some(time), Some(value)) = (long.column(CODE), long.column(TIME), long.column(VALUE))

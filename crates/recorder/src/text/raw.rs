@@ -1,4 +1,4 @@
-//! A table as printed, and from there the table in SI.
+//! A table as printed, and its conversion to SI.
 
 use super::heads::Head;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
@@ -12,7 +12,7 @@ pub(crate) struct RawTable {
     pub(crate) ignored: Vec<(String, TextPlace)>,
 }
 
-/// Some headings, for who has none that is known.
+/// Some headings, for a message about a text with no known one.
 const KNOWN: &str = "speed, accelerator pedal, engine throttle, engine rpm, service brake, ABS activity, stability \
                      control, steering input, yaw rate, longitudinal and lateral delta-V, and longitudinal and \
                      lateral acceleration";
@@ -24,7 +24,7 @@ const LOST: f64 = 1.5;
 /// mile.
 const NEAR_CODE: f64 = 0.09;
 
-/// What is stored during the impact, and after its beginning.
+/// The quantities that are stored during the impact.
 const DURING_IMPACT: [Channel; 4] = [
     Channel::DeltaVLongitudinal,
     Channel::DeltaVLateral,
@@ -32,11 +32,11 @@ const DURING_IMPACT: [Channel; 4] = [
     Channel::AccelerationLateral,
 ];
 
-/// What the tables of NHTSA have in place of a value that is not reported, or is unknown.
+/// The numbers in NHTSA's tables for a value that is not reported, or is unknown.
 const OF_NHTSA: [f64; 2] = [99_996.0, 99_997.0];
 
-/// What a cell says and in which unit: the number in brackets if the heading has a unit for it, and a unit
-/// behind the number before that of the heading.
+/// The text of a cell's number, and its unit: the number in brackets if the heading has a unit for it; a unit
+/// after the number takes precedence over that of the heading.
 fn said(
     token: &Token,
     channel: Channel,
@@ -54,7 +54,7 @@ fn said(
     (text.trim().to_owned(), value.to_owned(), unit)
 }
 
-/// A value and the unit behind it.
+/// A value and the unit after it.
 fn own_unit(text: &str) -> Option<(&str, ChannelUnit)> {
     let (value, unit) = text.rsplit_once(' ')?;
     Some((value.trim_end(), unit_of(unit)?))
@@ -133,7 +133,7 @@ fn times(
     Ok((times, falls))
 }
 
-/// The steps that have lost a sample: longer than those beside them, which are equal.
+/// The steps that have lost a sample: longer than those next to them, which are equal.
 fn lost(times: &[f64]) -> Vec<(usize, NoValue)> {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut found = Vec::new();
@@ -194,7 +194,7 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     if counted_down {
         seconds = seconds.iter().rev().map(|time| if *time == 0.0 { 0.0 } else { -time }).collect();
     }
-    // A table that counts down falls, and reads forward once its sign is turned.
+    // The times of a table that counts down fall, and rise once their sign is changed.
     let backward = falls && !counted_down;
     let mut rows: Vec<TextPlace> = time_cells.iter().map(|cell| cell.place).collect();
     if backward {
@@ -232,7 +232,7 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     Ok(RecorderTable { layout, columns: read, rows, ignored, doubts, counted_down })
 }
 
-/// The columns whose headings are the surest of those of a quantity, and the headings of the others.
+/// The columns with the most certain headings for each quantity, and the headings of the others.
 fn surest(columns: Vec<(Head, Vec<Token>)>) -> (Vec<(Head, Vec<Token>)>, Vec<Head>) {
     let is_read = |head: &Head| {
         !matches!(head.channel, Channel::Other | Channel::Time)
@@ -256,7 +256,7 @@ struct Reading {
     column: TableColumn,
     cells: Vec<Token>,
     doubts: Vec<CellDoubt>,
-    /// (SI) what its last digit is worth.
+    /// (SI) the value of a unit in its last digit.
     step: f64,
 }
 
@@ -278,8 +278,8 @@ impl Reading {
         Ok(Self { column, cells, doubts, step })
     }
 
-    /// The first row in which it says another value than a second column of the same quantity, by more than
-    /// both are rounded.
+    /// The first row in which its value differs from that of a second column of the same quantity by more
+    /// than the rounding of both.
     fn differs(&self, other: &Self) -> Option<usize> {
         let most = if self.column.channel.is_switch() { 0.5 } else { self.step + other.step };
         let differ = |(one, other): (&Option<f64>, &Option<f64>)| {
@@ -288,7 +288,7 @@ impl Reading {
         self.column.values.iter().zip(&other.column.values).position(differ)
     }
 
-    /// What it has in a row, with its heading.
+    /// Its value in a row, with its heading.
     fn quoted(&self, row: usize) -> String {
         let cell = &self.cells[row];
         let bracket = cell.bracket.as_ref().map(|bracket| format!("[{bracket}]"));
@@ -306,14 +306,14 @@ fn in_units_of_cells(mut head: Head, cells: &[Token]) -> Head {
     head
 }
 
-/// The digits behind the decimal point or comma.
+/// The number of digits after the decimal point or comma.
 fn decimals(text: &str) -> usize {
     let digits = |(_, part): (&str, &str)| part.bytes().take_while(u8::is_ascii_digit).count();
     text.rsplit_once(['.', ',']).map_or(0, digits)
 }
 
-/// One column of each quantity. Of two whose headings are as sure as each other, and which agree, that with
-/// the finer step is read, and the other ignored.
+/// One column of each quantity. If two have equally certain headings and agree, the one with the finer step
+/// is read, and the other is ignored.
 fn agreeing(
     columns: Vec<(Head, Vec<Token>)>,
     ignored: &mut Vec<(String, TextPlace)>,

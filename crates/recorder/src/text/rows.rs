@@ -1,9 +1,9 @@
-//! The cells of a line of flowing text in which words stand among the values.
+//! The cells of a line of flowing text with words among the values.
 
 use super::tokens::{OFF, ON, Piece, Token, Word, bare, number};
 use crate::channel::{heading_at, plain, unit_of};
 
-/// What may stand before a number and make it a bound.
+/// Signs that may precede a number and make it a bound.
 const QUALIFIERS: [&str; 10] = [">", ">=", "<", "<=", "≥", "≤", "=", "~", "≈", "±"];
 
 /// A cell of a line, and whether it has no value in it.
@@ -34,14 +34,14 @@ impl Cell {
         heading_at(&words).is_some_and(|(_, count)| count == words.len())
     }
 
-    /// Its text with these words behind it. They are of what stands in brackets, too.
+    /// Appends these words to its text, and to the text in brackets.
     fn followed_by(&mut self, words: &str) {
         for text in [Some(&mut self.token.text), self.token.bracket.as_mut()].into_iter().flatten() {
             *text = format!("{text} {words}").trim_start().to_owned();
         }
     }
 
-    /// Its text with these words before it, at their place.
+    /// Puts these words before its text, at their place.
     fn led_by(&mut self, before: &Self) {
         let words = &before.token.text;
         for text in [Some(&mut self.token.text), self.token.bracket.as_mut()].into_iter().flatten() {
@@ -51,8 +51,8 @@ impl Cell {
     }
 }
 
-/// The cells of a line: values with what stands in brackets behind them, with the sign of a bound before
-/// them, and with their unit if `with_units`; other words are cells of their own.
+/// The cells of a line: values with the text in brackets after them, with the sign of a bound before them,
+/// and with their unit if `with_units`; other words are cells of their own.
 fn split(pieces: &[Piece], with_units: bool) -> Vec<Cell> {
     let mut cells: Vec<Cell> = Vec::new();
     for piece in pieces {
@@ -95,7 +95,7 @@ fn phrases(cells: Vec<Cell>) -> Vec<Cell> {
     found
 }
 
-/// Phrases with the value that they are of: "126 or greater", "Brake On".
+/// Phrases with the value to which they belong: "126 or greater", "Brake On".
 fn with_values(cells: Vec<Cell>) -> Vec<Cell> {
     let mut found: Vec<Cell> = Vec::new();
     for mut cell in cells {
@@ -118,7 +118,7 @@ fn with_values(cells: Vec<Cell>) -> Vec<Cell> {
     joined
 }
 
-/// The line as so many cells, if it can be read as that and half of them at least have a value.
+/// The line as `width` cells, if it can be read so and at least half of them have a value.
 pub(super) fn fitted(pieces: &[Piece], width: usize) -> Option<Vec<Token>> {
     let [with_units, without] = [true, false].map(|with_units| split(pieces, with_units));
     let joined = phrases(with_units.clone());

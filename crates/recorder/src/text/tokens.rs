@@ -2,7 +2,7 @@
 
 use crate::table::TextPlace;
 
-/// A value as printed, with what stands in brackets behind it: `50 [81]`.
+/// A value as printed, with the text in brackets after it: `50 [81]`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Token {
     pub(crate) text: String,
@@ -20,7 +20,7 @@ impl Token {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Word {
     pub(crate) text: String,
-    /// Whether it stands in brackets, where units stand and quantities do not.
+    /// Whether it is in brackets, which may contain units but no quantities.
     pub(crate) within: bool,
     pub(crate) place: TextPlace,
 }
@@ -43,7 +43,7 @@ pub(crate) const OFF: &[&str] = &[
     "false",
     "aus",
 ];
-/// What reports print for a value that the recorder does not have.
+/// Words that reports print for a value that the recorder does not have.
 pub(crate) const NONE: &[&str] = &[
     "data not available",
     "data not valid",
@@ -94,10 +94,10 @@ pub(crate) fn number(text: &str, thousands: bool) -> Option<f64> {
     is_number.then(|| plain.parse().ok()).flatten()
 }
 
-/// Marks behind a value that point to a note.
+/// Marks after a value that point to a note.
 const MARKS: [char; 8] = ['*', '†', '‡', '§', '¹', '²', '³', '#'];
 
-/// A value without what points to a note behind it: `49*`, `On (1)`.
+/// A value without marks that point to a note: `49*`, `On (1)`.
 pub(crate) fn bare(text: &str) -> &str {
     let mut bare = text.trim();
     loop {
@@ -106,7 +106,7 @@ pub(crate) fn bare(text: &str) -> &str {
             Some((value, _)) => value.trim_end(),
             None => unmarked,
         };
-        // What is a mark throughout, such as "***", is none.
+        // A text of nothing but marks, such as "***", has none.
         if next.is_empty() || next == bare {
             return bare;
         }
@@ -118,7 +118,7 @@ pub(crate) fn is_value(text: &str) -> bool {
     is_exactly_value(bare(text))
 }
 
-/// Whether a text is a value with nothing behind it.
+/// Whether a text is a value with nothing after it.
 fn is_exactly_value(text: &str) -> bool {
     let lower = text.to_lowercase();
     let text = lower.as_str();
@@ -213,7 +213,7 @@ pub(crate) fn line(text: &str, number_of_line: usize) -> Vec<Piece> {
                     }
                     within = true;
                 }
-                // A word with its unit behind it, `Speed(km/h)`, is two.
+                // A word followed by its unit, `Speed(km/h)`, is two.
                 match piece.find(['(', '[']).filter(|from| *from > 0) {
                     Some(from) => {
                         let (name, unit) = piece.split_at(from);

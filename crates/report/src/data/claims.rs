@@ -64,11 +64,11 @@ impl<'a> ClaimBlock<'a> {
 }
 
 /// The judgement as JSON: `groups`, all and by kind of collision, each with `n`, `bias`, `rms`, `crps` (m/s)
-/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); every vehicle; `program`
-/// and `data`, with the SHA-256 of what was judged.
+/// and, if the program has intervals, `coverage95` and `interval_score` (m/s); every vehicle; `program` and
+/// `data`, with the SHA-256 of what was judged.
 ///
 /// # Errors
-/// Where the JSON cannot be written.
+/// If the JSON cannot be written.
 pub fn claims_json(claims: &Claims, data: &FieldData<'_>) -> Result<String, serde_json::Error> {
     let document = Document {
         column: &claims.columns.value,

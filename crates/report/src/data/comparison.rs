@@ -31,7 +31,7 @@ pub(crate) struct Row {
     pub(crate) values: Values,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found_difference: Option<f64>,
-    /// For both speeds, where both are sought.
+    /// For both speeds, if both are sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) speeds_difference: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -44,7 +44,7 @@ pub(crate) struct Row {
 pub(crate) struct Values {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found: Option<f64>,
-    /// Both, where both are sought.
+    /// Both, if both are sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) speeds: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,7 +75,7 @@ struct Document<'a> {
     /// The answers by damage, by momentum and by both.
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<EvidenceBlock>,
-    /// Those of the case as it stands.
+    /// The warnings of the case itself.
     warnings: Vec<WarningBlock>,
 }
 
@@ -104,7 +104,7 @@ pub(crate) struct EvidenceRow {
     pub(crate) crush_energy_needed: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) energy_loss: Option<f64>,
-    /// (–) how many standard deviations momentum and crush energy lie apart, where both were weighed.
+    /// (–) difference between momentum and crush energy in standard deviations, if both were weighed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) standard_deviations_apart: Option<f64>,
     /// How it was found, in words.
@@ -259,7 +259,7 @@ fn values(analysis: &Seen) -> Values {
         };
     };
     let outcome = &impact.outcome;
-    // What each law makes of the speeds, whatever gave them.
+    // The impact by each law at the speeds, whatever gave these.
     let energy = &outcome.energy;
     let share = |work: f64| Some(work / energy.before + 0.0).filter(|share| share.is_finite());
     Values {

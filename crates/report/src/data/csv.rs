@@ -1,4 +1,4 @@
-//! Many cases, a row each: as CSV for a spreadsheet, or as one JSON document a line.
+//! Many cases, one row each: as CSV for a spreadsheet, or as one JSON document per line.
 
 use std::sync::LazyLock;
 
@@ -21,18 +21,18 @@ use crate::words::file_name;
 pub struct Row<'a> {
     /// The name of the file.
     pub file: &'a str,
-    /// The case and what was found, or why there is nothing.
+    /// The case and its answer, or why there is none.
     pub answer: Result<(&'a CaseFile, RowAnswer<'a>), Refused<'a>>,
 }
 
-/// What a row holds.
+/// The answer in a row.
 #[derive(Clone, Copy, Debug)]
 pub enum RowAnswer<'a> {
-    /// Of `deltav reconstruct`, `deltav impact` and `deltav crush`.
+    /// The answer of `deltav reconstruct`, `deltav impact` and `deltav crush`.
     Analysis(&'a Analysis),
-    /// Of `deltav compare`.
+    /// The answer of `deltav compare`.
     Comparison(&'a Comparison),
-    /// Of `deltav uncertainty`.
+    /// The answer of `deltav uncertainty`.
     Uncertainty(&'a Uncertainty),
 }
 
@@ -41,7 +41,7 @@ pub enum RowAnswer<'a> {
 pub struct Refused<'a> {
     /// What is wrong and where, on one line.
     pub error: &'a str,
-    /// What to write instead, on one line; empty where the error says all.
+    /// What to write instead, on one line; empty if the error suffices.
     pub help: &'a str,
     /// The bytes of the file, if it could be read.
     pub bytes: Option<&'a [u8]>,
@@ -50,7 +50,7 @@ pub struct Refused<'a> {
 /// A table for a spreadsheet: which rows it has, and how they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Csv {
-    /// What the rows are.
+    /// The kind of rows.
     pub table: Table,
     /// The units of its numbers.
     pub units: Units,
@@ -58,7 +58,7 @@ pub struct Csv {
     pub style: CsvStyle,
 }
 
-/// What the rows of a [`Csv`] are. The [`RowAnswer`] of each row is of this kind.
+/// The kind of rows of a [`Csv`]. The [`RowAnswer`] of each row is of this kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
     /// One analysis per row.
@@ -81,7 +81,7 @@ pub enum CsvStyle {
 }
 
 impl CsvStyle {
-    /// What the file begins with.
+    /// The beginning of the file.
     pub(crate) fn beginning(self) -> &'static str {
         match self {
             Self::International => "",
@@ -89,7 +89,7 @@ impl CsvStyle {
         }
     }
 
-    /// What stands between two columns.
+    /// The separator of two columns.
     pub(crate) fn separator(self) -> char {
         match self {
             Self::International => ',',
@@ -117,8 +117,8 @@ pub enum RowError {
     Csv(#[from] csv::Error),
 }
 
-/// A column of text or of a count: its name, its place in the JSON document (RFC 6901), and the quantity
-/// before whose column it stands.
+/// A column with a text or a count: its name, its place in the JSON document (RFC 6901), and the quantity
+/// whose column follows it.
 struct Text {
     name: &'static str,
     place: &'static str,
@@ -368,7 +368,7 @@ impl Csv {
         Ok(self.style.beginning().to_owned() + &self.line(&self.columns())?)
     }
 
-    /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the
+    /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, except for the
     /// plain line feed at its end. SI units and radians, or US units with speeds in mph and degrees; with UK
     /// units, speeds in mph, angles in degrees, and all else in SI. Each
     /// number is the shortest that reads back as the same; a missing value is empty.
@@ -376,7 +376,7 @@ impl Csv {
     /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab,
     /// line feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such
     /// a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program can
-    /// remove the apostrophe. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as
+    /// remove the apostrophe. Control characters are [shown](case::shown). [`jsonl_row`] keeps all texts as
     /// they are.
     ///
     /// # Errors
@@ -458,8 +458,8 @@ fn codes(value: &Value) -> String {
 }
 
 /// One JSON document on one line: what [`json`](crate::json()), [`comparison_json`](crate::comparison_json)
-/// or [`uncertainty_json`](crate::uncertainty_json) gives, with the `file` before all else; or `file`,
-/// `error` and, where there is more to say, `help`.
+/// or [`uncertainty_json`](crate::uncertainty_json) gives, with `file` first; or `file`, `error` and, if
+/// there is more advice, `help`.
 ///
 /// # Errors
 /// [`RowError`], which no answer causes.
@@ -478,7 +478,7 @@ struct RefusedFile<'a> {
     case: Option<CaseBlock>,
 }
 
-/// How much of an answer a row holds.
+/// How much of an answer a row contains.
 #[derive(Clone, Copy, Debug)]
 enum Detail {
     All,
@@ -524,7 +524,7 @@ pub fn no_formula(text: &str) -> String {
     // The list of the Open Worldwide Application Security Project (OWASP, CSV Injection).
     const BEGINS_A_FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
     let shown = shown(text);
-    // Standard input is called so, and a sign alone is no formula.
+    // `-` is the name of standard input, and a sign alone is not a formula.
     match text.starts_with(BEGINS_A_FORMULA) && text != "-" {
         true => format!("'{shown}"),
         false => shown.into_owned(),

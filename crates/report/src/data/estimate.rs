@@ -37,7 +37,7 @@ fn output(output: &EstimatedOutput, is_answer: bool) -> Value {
     json!({
         // Whether the evidence determines it.
         "told": is_answer.then(|| output.is_told()),
-        // `null` where the run before the evidence has not converged.
+        // `null` if the run before the evidence has not converged.
         "prior": output.prior.as_ref().map(spread),
         "median": answer.map(|summary| summary.median.value),
         "interval50": level(HALF),
@@ -82,13 +82,13 @@ fn piece(piece: &PieceFound, agreement: Option<(Agreement, f64)>) -> Value {
         "p_value": piece.p_value.map(|p| p.value),
         // The p-value after Holm's correction, which decides the verdict.
         "adjusted_p_value": agreement.map(|(_, adjusted)| adjusted),
-        // Whether it points the other way than the rest says.
+        // Whether it points in the opposite direction to the rest.
         "reversed": piece.reversed,
         "verdict": agreement.map(|(agreement, _)| agreement.name()),
     })
 }
 
-/// Real collisions on which intervals were judged.
+/// Real collisions on which intervals were tested.
 fn tested(class: &TestedClass) -> Value {
     json!({
         "code": class.code,
@@ -174,7 +174,7 @@ pub fn estimate_json(
         // The kind of prior.
         "prior": estimated.prior.name(),
         "seed": asked.plan.seed,
-        // As asked for, per island; doubled where the run did not converge.
+        // As requested, per island; doubled if the run did not converge.
         "particles": asked.plan.particles,
         "draws": estimated.posterior.count(),
         "converged": is_answer,
@@ -183,16 +183,17 @@ pub fn estimate_json(
         "missed": estimated.missed,
         // The least effective sample size of all numbers.
         "ess": estimated.ess(),
-        // Without statistics where the run has not converged.
+        // Without statistics if the run has not converged.
         "outputs": outputs.collect::<Map<_, _>>(),
         "questions": list(&asked.questions, |one| question(one, estimated, is_answer)),
         "pieces": list(pieces, |(found, agreement)| piece(found, agreement)),
         // Of vehicle 1 and 2; `null` if the crush is not evidence.
         "crush": crush,
-        // The class of real collisions on which such intervals were judged; `null` where nothing like it was.
+        // The class of real collisions on which such intervals were tested; `null` if no such class was
+        // tested.
         "tested": estimated.tested.map(tested),
-        // How probable it is that vehicle 1 and 2 stood: as assumed, of the collisions that are possible
-        // before the evidence, and after it. `null` for one that did not, or whose speed is known.
+        // Probability that each vehicle stood still: as assumed, among the collisions that are possible
+        // before the evidence, and after it. `null` if the vehicle certainly moved, or if its speed is known.
         "stood": estimated.stood.map(|stood| stood.map(|stood| json!({
             "assumed": stood.assumed,
             "prior": stood.before.map(|before| before.value),
@@ -203,7 +204,7 @@ pub fn estimate_json(
         // Keys of errors that the case does not give.
         "default_errors": estimated.default_errors,
         "unused": list(&estimated.unused, |one| json!({ "key": one.key, "reason": unused(one.reason)[0] })),
-        // What speaks against the inputs.
+        // The warnings about the inputs.
         "warnings": list(&estimated.warnings, |warning| WarningBlock::new(&warning.seen(file.case.axes))),
     });
     pretty(&identified(file, document))

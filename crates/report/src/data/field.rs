@@ -12,18 +12,18 @@ use super::{ProgramBlock, THIS_PROGRAM, pretty, sha256};
 /// The crashes that are judged.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldData<'a> {
-    /// What a report calls them.
+    /// Their name in a report.
     pub name: &'a str,
     /// The table of crashes that is judged, as comma-separated values.
     pub table: &'a str,
-    /// The tables of NHTSA that it was made of, if it was.
+    /// The tables of NHTSA from which it was made, if it was.
     pub years: &'a [FieldYear],
 }
 
 /// The crashes of a year from NHTSA's tables.
 #[derive(Clone, Debug)]
 pub struct FieldYear {
-    /// What has the tables: a folder or a ZIP file.
+    /// The source of the tables: a folder or a ZIP file.
     pub source: String,
     /// The crashes.
     pub crashes: CissCrashes,
@@ -42,7 +42,7 @@ pub(super) struct JudgedBlock<'a, T> {
 
 #[derive(Serialize)]
 struct DataBlock<'a> {
-    /// Of the table of crashes.
+    /// The checksum of the table of crashes.
     sha256: String,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     years: Vec<YearBlock<'a>>,
@@ -192,7 +192,7 @@ impl<'a> VehicleBlock<'a> {
     }
 }
 
-/// The word of the severity before the evidence.
+/// The word for the prior of the severity.
 pub(super) fn prior(injured: bool) -> &'static str {
     if injured { SeverityPrior::SeriousInjury } else { SeverityPrior::Field }.name()
 }

@@ -23,7 +23,7 @@ pub(crate) struct HeadlineBlock {
     /// Evidence that all the rest contradicts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     contradicting: Vec<String>,
-    /// Evidence that the rest doubts.
+    /// Evidence that the rest makes doubtful.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     doubtful: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,7 +47,7 @@ struct FiguresBlock {
 
 #[derive(Serialize)]
 struct FigureBlock {
-    /// As solved, or the median.
+    /// The exact solution, or the median.
     value: Option<f64>,
     /// By all the evidence, with its errors and those of the method.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,5 +1,5 @@
-//! A finished analysis as JSON, in SI units and radians: each quantity at the pointer of its row, and all
-//! that is not a quantity.
+//! A finished analysis as JSON, in SI units and radians: each quantity at the pointer of its row, and
+//! everything that is not a quantity.
 
 use analysis::quantities::{
     IMPACT_CLOSING_SPEED, IMPACT_CRITICAL_IMPULSE_RATIO, IMPACT_IMPULSE_RATIO, IMPACT_NORMAL_IMPULSE,
@@ -288,7 +288,7 @@ fn numbers(quantity: &OutputQuantity, seen: &Seen) -> Vec<(String, Value)> {
         Values::Shared(Some(value)) => vec![(quantity.pointer.to_owned(), value.into())],
         Values::Pair([None, None]) => Vec::new(),
         Values::Pair(values) => {
-            // A list has both, and `null` of a fixed object.
+            // A list contains both, with `null` for a fixed object.
             let is_list = quantity.pointer.ends_with('%');
             let place = |id: VehicleId| {
                 quantity.pointer.replace('#', &id.to_string()).replace('%', &id.index().to_string())
@@ -329,7 +329,7 @@ fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&W
     }
 }
 
-/// What is no number of a row, each with its place. The blocks get their order here.
+/// The values that are not numbers of a row, each with its place. The blocks get their order here.
 fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::Error> {
     let mut others = Vec::new();
     let mut add = |place: &str, value: Value| others.push((place.to_owned(), value));
@@ -345,7 +345,7 @@ fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::
         add("/impact", json!({}));
     }
     if let Some(impact) = &seen.impact {
-        // Where momentum gave the speeds, the law is held against them.
+        // If momentum gave the speeds, the law is compared with them.
         let block = if seen.law_check().is_some() { "/law_check" } else { "/impact" };
         let law = case.impact.as_ref().map_or("brach", |given| given.law.name());
         add(&format!("{block}/law"), law.into());
@@ -372,7 +372,7 @@ fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::
     Ok(others)
 }
 
-/// What is no number of a row of a vehicle, each with its place in the block.
+/// The values of a vehicle that are not numbers of a row, each with its place in the block.
 fn of_vehicle(
     case: &Case,
     seen: &Seen,
@@ -401,7 +401,7 @@ fn of_vehicle(
     Ok(others.into_iter().flatten())
 }
 
-/// What the start of a path comes from.
+/// The source of the start of a path.
 fn start_source(origin: TravelOrigin) -> &'static str {
     match origin {
         TravelOrigin::Impact => "impact",
@@ -465,21 +465,21 @@ fn both_found(both: &BothFound) -> Result<Value, serde_json::Error> {
     }
 }
 
-/// A start of each vehicle that leads to its rest, and how well the two agree with the impulse. The first is
-/// the one that is used.
+/// A start of each vehicle that leads to its rest position, and how well the two agree with the impulse. The
+/// first combination is the one that is used.
 fn combination(combination: &Combination) -> Value {
     json!({
         // Along the headings.
         "speeds": plain_pair(combination.speeds),
-        // After the impact; the yaw rate of a vehicle of which it is not known is null.
+        // After the impact; an unknown yaw rate is null.
         "velocities": combination.after.map(|departure| plain_pair(departure.velocity.into())),
         "yaw_rates": combination.after.map(|departure| departure.yaw_rate.map(plain)),
-        // On the path to rest; null of a vehicle that is not followed.
+        // On the path to rest; null for a vehicle that is not followed.
         "turns": combination.turns.map(|turn| turn.map(plain)),
-        // χ² of what the speeds imply against what else is known.
+        // χ² of the implications of the speeds, compared with the other evidence.
         "misfit": combination.misfit,
         "weight": combination.weight,
-        // Codes of the checks that it does not pass.
+        // Codes of the checks that it fails.
         "against": combination.against.iter().map(Check::code).collect::<Vec<_>>(),
     })
 }
@@ -509,7 +509,7 @@ fn points(travel: &Travel) -> Vec<PointBlock> {
     travel.passes.iter().zip(&travel.points).map(point).collect()
 }
 
-/// What only a vehicle has that can move: `None` of a fixed object.
+/// A value that only a vehicle that can move has: `None` for a fixed object.
 pub(crate) type OfMovable = [Option<f64>; 2];
 
 pub(crate) fn of_movable(case: &Case, values: [f64; 2]) -> OfMovable {
@@ -536,7 +536,7 @@ mod tests {
         let mut document = json!({ "axes": "z-up" });
         put(&mut document, "/vehicle2/velocity/0", 3.0.into());
         put(&mut document, "/vehicle2/velocity/1", 4.0.into());
-        // What is known of the second vehicle alone.
+        // A value that is known only for the second vehicle.
         put(&mut document, "/crash3/moment_arm/1", 0.5.into());
         put(&mut document, "/impact/restitution", Value::Null);
         let expected = json!({

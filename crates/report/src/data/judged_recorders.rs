@@ -1,4 +1,4 @@
-//! The judgement of speeds by recorders as JSON: speeds in km/h.
+//! Speeds judged by recorders, as JSON: speeds in km/h.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ fn speed(figures: &SpeedFigures) -> Value {
     })
 }
 
-/// Why a record is hardly of this impact.
+/// Why a record is probably not of this impact.
 pub(crate) fn doubt(record: &DoubtedRecord) -> String {
     format!(
         "its recorder stored a ΔV of {:.0} km/h, but the speeds of both recorders and one common velocity \
@@ -64,9 +64,9 @@ fn judged_delta_v(judged: &JudgedDeltaV) -> Value {
     })
 }
 
-/// The judgement as JSON, speeds in km/h: `other_speed`, of each vehicle by all evidence but its own
-/// recorder, `delta_v_from_speeds`, by momentum to one common velocity, and `delta_v_by_estimate` (`bias` and
-/// `rms` are of the logarithm), the rows that cannot be judged, the
+/// The judgement as JSON, speeds in km/h: `other_speed`, the speed of each vehicle by all evidence except its
+/// own recorder, `delta_v_from_speeds`, by momentum to one common velocity, and `delta_v_by_estimate` (`bias`
+/// and `rms` are of the logarithm), the rows that cannot be judged, the
 /// records that are doubted, and every vehicle.
 ///
 /// # Errors

@@ -19,11 +19,11 @@ struct Document<'a> {
     /// The axes of all signed values: `z-up` or `z-down`.
     axes: &'static str,
     commands: Vec<CommandBlock>,
-    /// The command that makes the fullest use of what the case has.
+    /// The command that uses most of the data of the case.
     answers_most: Option<&'static str>,
     inputs: Vec<InputBlock>,
     choices: Vec<ChoiceBlock>,
-    /// Where a vehicle has several records, or one that is hardly of this impact.
+    /// If a vehicle has several records, or one that is probably not of this impact.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     records: Vec<Value>,
     assumptions: Vec<AssumptionBlock>,
@@ -83,7 +83,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .abilities
             .iter()
             .map(|Ability { purpose, obstacle, left_aside, .. }| {
-                // If something can be drawn, what other drawings lack is no obstacle.
+                // If something can be drawn, data missing for other drawings are not an obstacle.
                 let draws = (*purpose == Purpose::Draw).then(|| drawn(case, judgement));
                 let obstacle =
                     obstacle.as_ref().filter(|_| draws.as_ref().is_none_or(|draws| draws.is_empty()));

@@ -1,4 +1,4 @@
-//! What the recorders of a case say alone, as JSON and CSV.
+//! The readings of the recorders of a case on their own, as JSON and CSV.
 
 use std::io::{self, Write};
 
@@ -26,7 +26,7 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
         "complete": event.complete,
         "impact_delta_v": impact.delta_v,
         "impact_pdof": impact.force_direction,
-        // Of the other impacts the one of which it is most probably, from 1.
+        // The number, from 1, of the other impact to which it most probably belongs.
         "other_impact": other.map(|(place, _)| place),
         "other_probability": other.map(|(_, probability)| probability),
     })
@@ -36,7 +36,7 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 /// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
 /// {"ends_before_impact": …, "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to
-/// the right, as recorders have it, and `delta_v_at_center` is along the vehicle and to its left.
+/// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left.
 ///
 /// # Errors
 /// If serialisation fails, which no record causes.
@@ -48,8 +48,8 @@ pub fn recorders_json(file: &CaseFile, reading: &RecorderReading) -> Result<Stri
     pretty(&identified(file, document))
 }
 
-/// Writes the samples before the impact as CSV, a row for each sample of each vehicle: path against time for
-/// other programs, in SI and radians, 0 the impact.
+/// Writes the samples before the impact as CSV, a row for each sample of each vehicle: the path over time for
+/// other programs, in SI units and radians; the impact is at 0.
 ///
 /// # Errors
 /// Those of the output.
@@ -167,7 +167,8 @@ fn pulse(found: &VehicleReading) -> Option<Value> {
     }))
 }
 
-/// The columns of a record as CSV: one row for each sample of each vehicle, SI and radians, 0 the impact.
+/// The columns of a record as CSV: one row for each sample of each vehicle, in SI units and radians; the
+/// impact is at 0.
 fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
     let mut rows = vec![
         [

@@ -18,14 +18,13 @@ struct Document<'a> {
     axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
-    /// Values that the file gives although they would follow from the direction: kept in every row of the
-    /// sweep.
+    /// Values in the file that would otherwise follow from the direction: kept in every row of the sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_held: Vec<String>,
     /// The same, but turned with the direction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_turned: Vec<String>,
-    /// Those of the case as it stands.
+    /// The warnings of the case itself.
     warnings: Vec<WarningBlock>,
 }
 

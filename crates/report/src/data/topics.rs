@@ -22,8 +22,8 @@ impl Entry {
     }
 }
 
-/// A topic as indented JSON, ending in a line break: `term`, `kind` (the heading that it stands under),
-/// `also` (its other names), `text` (Markdown) and `see_also`, the terms of other topics that the text uses.
+/// A topic as indented JSON, ending in a line break: `term`, `kind` (its heading in the glossary), `also`
+/// (its other names), `text` (Markdown) and `see_also`, the terms of other topics that the text uses.
 ///
 /// # Errors
 /// If serialisation fails, which no topic causes.

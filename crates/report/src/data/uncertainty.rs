@@ -28,18 +28,18 @@ struct Document<'a> {
     /// Samples with an answer that would raise a warning as a single case.
     doubtful: Vec<DoubtfulBlock>,
     inputs: Vec<InputBlock<'a>>,
-    /// What all samples share, so that no interval contains its error.
+    /// Values that all samples share, so that no interval contains their errors.
     taken_as_exact: Vec<ExactBlock<'a>>,
     outputs: InOrder<OutputBlock<'a>>,
-    /// Those of the first output.
+    /// The indices of the first output.
     sensitivity: Vec<IndexBlock<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     index_rows: Option<RowsBlock>,
-    /// Those of the case as it stands.
+    /// The warnings of the case with its central values.
     warnings: Vec<WarningBlock>,
 }
 
-/// `of` is the number of samples that were looked at, and `share` that of the doubtful among them.
+/// `of` is the number of samples that were examined, and `share` the doubtful share of them.
 #[derive(Serialize)]
 struct DoubtfulBlock {
     code: &'static str,
@@ -107,7 +107,7 @@ struct TruncationBlock {
     kept: f64,
 }
 
-/// SI and radians; without the statistics where fewer than two samples have an answer.
+/// SI and radians; without the statistics if fewer than two samples have an answer.
 #[derive(Serialize)]
 struct OutputBlock<'a> {
     central: f64,
@@ -181,7 +181,7 @@ pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl
     of_inputs(case, uncertainty, inputs, taken_as_exact, &tornado.bars)
 }
 
-/// The part for a table of results: without the inputs and their effects.
+/// The content for a table of results: without the inputs and their effects.
 pub(crate) fn results<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
     of_inputs(case, uncertainty, &[], &[], &[])
 }

@@ -265,7 +265,7 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
         // The speed by the share of the tangential work.
         "by_share": list(SHARES.iter().zip(validation.share_errors).enumerate(), |(i, (share, rate))| json!({
             "tangential_share": share,
-            // In the order of the tests of `reconstruction`; `null` where there is no answer.
+            // In the order of the tests of `reconstruction`; `null` if there is no answer.
             "found": list(&validation.by_share, |row| row.found[i]),
             "relative_error": rate,
         })),
@@ -307,7 +307,7 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
     }))
 }
 
-/// Error rates in m/s, each with that of the share.
+/// Error rates in m/s, each next to its relative error rate.
 fn with_relative(rates: [(&str, &[ErrorRate; 2]); 3]) -> Value {
     let both = |(name, [rate, share]): (&str, &[ErrorRate; 2])| {
         [(name.to_owned(), json!(rate)), (format!("{name}_relative"), json!(share))]

@@ -6,7 +6,7 @@ use evidence::Piece;
 use super::piece_name;
 use crate::units::significant;
 
-/// What the other evidence contradicts or doubts, a sentence for each piece.
+/// The pieces that the other evidence contradicts or makes doubtful, one sentence each.
 pub(crate) fn contradictions(pieces: &[PieceFound]) -> Vec<String> {
     let judged = pieces.iter().zip(Agreement::of_all(pieces));
     judged.filter_map(|(piece, agreement)| said(piece, agreement?.0)).collect()
@@ -29,7 +29,7 @@ fn said(piece: &PieceFound, agreement: Agreement) -> Option<String> {
     }
 }
 
-/// What may have gone wrong with a piece that points the other way.
+/// The probable mistake in a piece that points in the opposite direction.
 fn turned_round(piece: Piece) -> &'static str {
     match piece {
         Piece::RecordedDeltaV(_) => {

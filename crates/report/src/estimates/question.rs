@@ -9,7 +9,7 @@ impl Question {
     /// Reads a question such as `vehicle1.speed 50 km/h`: one of the results of the case, and a limit.
     ///
     /// # Errors
-    /// A sentence, where the case has no such result, and where the limit has not the unit of one.
+    /// A sentence, if the case has no such result, or if the limit does not have a unit of that result.
     pub fn read(text: &str, outputs: &[Output]) -> Result<Self, String> {
         let text = text.trim();
         let (key, limit) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
@@ -60,7 +60,7 @@ mod tests {
         assert_eq!(limit("impact.restitution 0.3"), Ok(0.3));
         assert_eq!(limit("crush_energy 50 kJ"), Ok(50_000.0));
         assert_eq!(limit("crush_energy 50000 N m"), Ok(50_000.0));
-        // 1 ft·lb is 1.355 817 95 J; the case file and the CSV have it with a blank.
+        // 1 ft·lb is 1.355 817 95 J; the case file and the CSV write it with a blank.
         for spelled in ["ft-lb", "ft·lb", "ft lb"] {
             let joule = limit(&format!("crush_energy 1000 {spelled}")).unwrap();
             assert!((joule - 1355.818).abs() < 1e-3, "{spelled}: {joule}");

@@ -23,7 +23,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         value: format!("{} ({} %)", units.format(Measure::Energy, joule), share(joule)),
         remark: None,
     };
-    // A remark on work that is negative as printed, which a rounded zero is not.
+    // A remark on work that is negative as printed, which excludes a rounded zero.
     let driven = |bar: EnergyBar, what: &str| EnergyBar {
         remark: share(bar.energy).starts_with('-').then(|| what.to_owned()),
         ..bar
@@ -58,16 +58,16 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     })
 }
 
-/// (–) no more apart are energies that differ by rounding.
+/// (–) energies that differ by no more than this differ by rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// Whether the normal work is the crush energy, but for rounding.
+/// Whether the normal work equals the crush energy except for rounding.
 fn is_crush(crush: f64, normal_work: f64) -> bool {
     (crush - normal_work).abs() <= ROUNDING * normal_work.abs()
 }
 
-/// Whether the crush energy is what the impact dissipates on the basis of the case, but for rounding: always
-/// with the speeds that are sought by it.
+/// Whether the crush energy equals the work of the impact on the basis of the case, except for rounding:
+/// always true for speeds that were found from it.
 fn agrees(analysis: &Analysis) -> bool {
     let is_same = |check: &Check| {
         matches!(check.quantity, CheckedQuantity::DamageEnergy { .. }) && check.value <= ROUNDING

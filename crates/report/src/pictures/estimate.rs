@@ -24,7 +24,7 @@ const SHOWN: usize = 1200;
 /// (–) ratio of the bandwidth of a biweight kernel to that of a normal one that smooths as much.
 const BIWEIGHT: f64 = 2.62;
 
-/// What reproduces the numbers.
+/// The data that reproduce the numbers.
 fn origin(case: &Case, estimated: &Estimated, asked: &Asked) -> String {
     format!(
         "{}. deltav {}, {} draws, seed {}",
@@ -40,8 +40,8 @@ fn number_of(count: usize) -> String {
     number(count as f64, 0)
 }
 
-/// How probable each value of a result is, before the evidence and after it. `None` if it does not vary, or
-/// if the run has not converged.
+/// The density of a result, before the evidence and after it. `None` if it does not vary, or if the run has
+/// not converged.
 #[must_use]
 pub fn density(
     case: &Case,
@@ -66,7 +66,7 @@ fn density_picture(
     let summary = &found.posterior;
     let own = curve(draws, summary, estimated.ess(), None)?;
     let ends = [own.first()?[0], own.last()?[0]];
-    // As much of the prior as does not make the answer too narrow.
+    // Only as much of the prior as leaves the curve of the answer wide enough.
     let wide = before.zip(found.prior.as_ref()).map(|(draws, prior)| {
         let [low, high] = [prior.intervals[2].low.value, prior.intervals[2].high.value];
         let most = 1.5 * (ends[1] - ends[0]);
@@ -83,7 +83,7 @@ fn density_picture(
         "" => String::new(),
         unit => format!(" per {unit}"),
     };
-    // Of the unit of the reader, in per cent.
+    // Per unit of the reader, in per cent.
     let share = 0.01 / unit;
     Some(DensityPicture {
         name: "density",
@@ -262,7 +262,7 @@ fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
     ((value - low) / step).floor().clamp(0.0, LAST) as usize
 }
 
-/// Where the vehicles come to rest in the draws, and where they were found. `None` if none is followed, or if
+/// The rest positions of the vehicles in the draws, and the measured ones. `None` if none is followed, or if
 /// the run has not converged.
 #[must_use]
 pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
@@ -318,7 +318,8 @@ fn footprint(dimensions: Dimensions, kind: VehicleKind) -> Footprint {
     Footprint { length, width, cg_to_front, shape: shape(kind) }
 }
 
-/// All pictures of an estimate below each other. `None` if no result varies, or if the run has not converged.
+/// All pictures of an estimate, one below the other. `None` if no result varies, or if the run has not
+/// converged.
 #[must_use]
 pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     let drawings: Vec<(String, Drawing)> = all(case, estimated, asked, units)

@@ -1,4 +1,4 @@
-//! The momentum polygon: what both vehicles bring to the impact, and what they take away.
+//! The momentum polygon: the momentum of both vehicles before and after the impact.
 
 use ::drawing::{MomentumPicture, SceneArrow};
 use analysis::{Analysis, Exchange};
@@ -31,7 +31,7 @@ pub(super) fn picture(
         label: format!("{symbol} {}", size(vector)),
     };
     let gap = left - total;
-    // A gap by rounding is none.
+    // A gap due to rounding does not count.
     let is_closed = units.plain(Measure::Momentum, gap.norm()) == units.plain(Measure::Momentum, 0.0);
     let change = delta_v[0] * masses[0];
     let speed = |velocity: Vector2<f64>| units.format(Measure::RoadSpeed, velocity.norm());

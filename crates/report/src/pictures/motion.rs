@@ -74,7 +74,7 @@ fn drawn(
     })
 }
 
-/// (m) where the impulse acts in the drawing of the motion; the origin if the case does not say.
+/// (m) where the impulse acts in the drawing of the motion; the origin if the case does not give it.
 pub fn place_of_impact(case: &Case) -> [f64; 2] {
     case.contact_place().map_or([0.0; 2], Into::into)
 }
@@ -207,8 +207,8 @@ struct Pose {
     approach: Option<Vector2<f64>>,
 }
 
-/// The skid marks before the impact, straight up to the wheels at the impact; one of the CG if the wheels are
-/// not known.
+/// The skid marks before the impact, straight up to the wheels at the impact; a single one of the CG if the
+/// positions of the wheels are unknown.
 fn skids(case: &Case, travel: Option<&Travel>, id: VehicleId, pose: Pose) -> Vec<[[f64; 2]; 2]> {
     let Some(skid) = case.skids()[id.index()] else { return Vec::new() };
     let cg = Vector2::from(pose.cg);

@@ -34,7 +34,7 @@ pub(super) fn picture(
     let there = if varies { " at the speed found" } else { "" };
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
-    // An interval whose ends are printed alike is none to the reader.
+    // The reader sees no interval if its ends are printed alike.
     let begins = first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch);
     let begins = match (begins, analysis.basis) {
         // There P_n is a push, but sliding does work as well.

@@ -45,8 +45,8 @@ pub(super) fn plain(
                 return Some(SceneMotion { before, after, ..motion });
             }
             description.push(format!("Speed of {name} {before}."));
-            // Only the speed along the heading is known so well; the velocity after the impact, which follows
-            // from it, is not.
+            // Only the speed along the heading is known exactly, not the velocity after the impact, which
+            // follows from it.
             let along = speed.along(exact).filter(|along| *along != 0.0)?;
             let vector = vehicle.forward.map(|part| part * along);
             let after = SceneArrow { vector: [0.0; 2], label: String::new() };

@@ -19,7 +19,7 @@ fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&Unc
     Some((output, label(output.output, pictured(output.output), units)))
 }
 
-/// The second line of a subtitle: what reproduces the numbers of the plot.
+/// The second line of a subtitle: the data that reproduce the numbers of the plot.
 fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
     let settings = &uncertainty.settings;
     format!(
@@ -87,8 +87,8 @@ pub(crate) fn histogram_picture(
     })
 }
 
-/// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first.
-/// `None` where there is no such output.
+/// The effect of each input alone on an output, from its 2.5 % to its 97.5 % quantile, the longest bars
+/// first. `None` if there is no such output.
 #[must_use]
 pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     Some(tornado_picture(case, uncertainty, place, units)?.draw())
@@ -169,7 +169,7 @@ fn input_with_range(input: &UncertainInput, bar: &Bar) -> String {
 }
 
 /// Keys of the case file below a vehicle or a table, and their names for a reader who does not know the file.
-/// Others are read as they are spelled.
+/// Other keys are shown as they are spelled.
 const WORDS: [(&str, &str); 13] = [
     ("yaw_radius", "radius of gyration"),
     ("contact.distance", "distance of the contact point"),
@@ -208,7 +208,7 @@ fn input_in_words(path: &str) -> String {
 }
 
 /// The labels of a bar of a tornado, each with the end at which it stands. Two ends that are printed alike
-/// share one label, as do two on one side, where the shorter part of the bar lies on the longer one.
+/// share one label, as do two ends on one side, where the shorter part of the bar lies on the longer one.
 fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -> Vec<(f64, String)> {
     if let [Some(low), Some(high)] = ends {
         let longer = if (low - central).abs() > (high - central).abs() { low } else { high };

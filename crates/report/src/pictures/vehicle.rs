@@ -34,7 +34,7 @@ pub(super) fn shape(kind: VehicleKind) -> BodyShape {
     }
 }
 
-/// How a picture calls a vehicle.
+/// The name of a vehicle in a picture.
 pub(super) fn name_of(id: VehicleId, given: &GivenVehicle) -> String {
     match (&given.name, given.fixed) {
         (Some(name), _) => format!("{id} · {name}"),
@@ -44,7 +44,7 @@ pub(super) fn name_of(id: VehicleId, given: &GivenVehicle) -> String {
 }
 
 impl Body {
-    /// The class whose outline it has, in the words of a legend; `None` for one of its own.
+    /// The class whose outline it has, in the words of a legend; `None` for an outline of its own.
     pub(super) fn class_legend(&self, id: VehicleId) -> Option<String> {
         match self.outline {
             DrawnOutline::Given => None,

@@ -1,4 +1,4 @@
-//! Rows of tables: label, unit and source stand in the table of quantities.
+//! Rows of tables: label, unit and source come from the table of quantities.
 
 use analysis::{Kind, OutputQuantity, Seen, Values};
 
@@ -30,12 +30,12 @@ impl Chosen<'_> {
         }
     }
 
-    /// A row of both vehicles under the label of the quantity, or under another one where that says more.
+    /// A row for both vehicles under the label of the quantity.
     pub(crate) fn pair(self, table: &mut Table, row: &OutputQuantity) {
         self.pair_with(table, row, |_, value| value);
     }
 
-    /// The same, each value worded further, by the index of its vehicle.
+    /// The same, with words added to each value, by the index of its vehicle.
     pub(crate) fn pair_with(
         self,
         table: &mut Table,
@@ -47,7 +47,7 @@ impl Chosen<'_> {
         table.pair(row.label, cells, row.source);
     }
 
-    /// A row of the vectors of both vehicles, by their components.
+    /// A row for the vectors of both vehicles, from their components.
     pub(crate) fn vectors(self, table: &mut Table, [x, y]: [&OutputQuantity; 2]) {
         let components = [x, y].map(|row| self.values(row));
         let cells = [0, 1].map(|i| {
@@ -57,7 +57,7 @@ impl Chosen<'_> {
         table.pair(x.label, cells, x.source);
     }
 
-    /// A row of one vector, which is neither vehicle's.
+    /// A row for one vector, which belongs to neither vehicle.
     pub(crate) fn shared_vector(self, table: &mut Table, [x, y]: [&OutputQuantity; 2]) {
         if let [[Some(first), _], [Some(second), _]] = [x, y].map(|row| self.values(row)) {
             let cell = self.units.format_vector(printed(x.kind), [first, second]);
@@ -65,7 +65,7 @@ impl Chosen<'_> {
         }
     }
 
-    /// A row of the parts along n and t.
+    /// A row for the parts along n and t.
     pub(crate) fn along(self, table: &mut Table, [n, t]: [&OutputQuantity; 2]) {
         let cells = [n, t].map(|row| {
             let [si, _] = self.values(row);
@@ -74,12 +74,12 @@ impl Chosen<'_> {
         table.pair(n.label, cells, n.source);
     }
 
-    /// A row of a number that is neither vehicle's.
+    /// A row for a number that belongs to neither vehicle.
     pub(crate) fn shared(self, table: &mut Table, row: &OutputQuantity) {
         self.shared_with(table, row, |value| value);
     }
 
-    /// The same, the value worded further.
+    /// The same, with words added to the value.
     pub(crate) fn shared_with(
         self,
         table: &mut Table,
@@ -91,7 +91,7 @@ impl Chosen<'_> {
         }
     }
 
-    /// A row of an energy and its share (%) of the initial one.
+    /// A row for an energy and its share (%) of the initial one.
     pub(crate) fn energy(
         self,
         table: &mut Table,

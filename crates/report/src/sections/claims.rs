@@ -1,4 +1,4 @@
-//! How another program fares against recorders.
+//! The results of another program, compared with recorders.
 
 use field::{ClaimGroup, Claims};
 
@@ -7,7 +7,7 @@ use crate::data::field::FieldData;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
 
-/// The ΔV of another program against what recorders stored.
+/// The ΔV of another program, compared with those that recorders stored.
 #[must_use]
 pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
     let mut document = Document::new();

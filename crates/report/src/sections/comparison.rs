@@ -11,7 +11,7 @@ use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::{Measure, Units, number};
 use crate::{axes, warnings};
 
-/// (columns) of the name of a law, and of a number, at least.
+/// (columns) minimum for the name of a law, and for a number.
 const NAME: usize = 34;
 const COLUMN: usize = 7;
 

@@ -84,7 +84,7 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
     page.document.blocks
 }
 
-/// On which real collisions such an interval was judged.
+/// The real collisions on which such an interval was tested.
 fn tested(class: Option<&TestedClass>) -> String {
     let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
         return "The method has not been tested on real crashes with this combination of evidence, so how often such an \
@@ -94,7 +94,7 @@ fn tested(class: Option<&TestedClass>) -> String {
     let off = rms.map_or_else(String::new, |rms| {
         format!(", and the median was off by {} % rms", number(100.0 * rms, 0))
     });
-    // Eighteen of nineteen is no percentage with a decimal.
+    // Eighteen of nineteen does not justify a percentage with a decimal.
     let share = number(100.0 * inside95, usize::from(*n >= 100));
     format!(
         "Tested on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} \
@@ -103,11 +103,11 @@ fn tested(class: Option<&TestedClass>) -> String {
     )
 }
 
-/// What leads where the evidence contradicts itself.
+/// The headline if the evidence contradicts itself.
 pub(super) const NO_COLLISION: &str =
     "No collision reproduces all of the evidence, so no single answer can be given.";
 
-/// What the collisions that come nearest miss, and what to do.
+/// The evidence that the nearest collisions miss, and what to do.
 pub(super) fn missed(keys: &[String]) -> String {
     format!(
         "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
@@ -162,7 +162,7 @@ impl<'a> Page<'a> {
         format!("{}: {}", output_name(found.output), told_speed(found, self.units))
     }
 
-    /// How probable it is that each vehicle stood.
+    /// The probability that each vehicle stood still.
     fn stood(&self) -> Vec<String> {
         let percent = |share: f64| number(100.0 * share, 0);
         let words = |id: VehicleId| {
@@ -357,7 +357,7 @@ impl<'a> Page<'a> {
             return;
         }
         let unit = self.units.name(Measure::RoadSpeed);
-        // Known speeds would say nothing.
+        // Known speeds would show nothing.
         let varies = |id: &VehicleId| self.find(SPEED.of_vehicle(*id)).is_some_and(EstimatedOutput::varies);
         let sought: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(varies).collect();
         let is_judged = pieces.iter().any(|piece| piece.alone.is_some() || piece.without.is_some());
@@ -464,7 +464,7 @@ impl<'a> Page<'a> {
         self.document.push(table);
     }
 
-    /// Numbers that the case does not give with their spread, and that are not known exactly.
+    /// Uncertain numbers whose spread the case does not give.
     fn assumed(&mut self) {
         let mut table = Table::new(
             "Assumed",
@@ -512,7 +512,7 @@ impl<'a> Page<'a> {
         self.if_injured();
     }
 
-    /// What else would be found of the speeds and ΔV if somebody was seriously hurt.
+    /// The speeds and ΔV if it was also known that somebody was seriously hurt.
     fn if_injured(&mut self) {
         let wanted = [&SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
         let told = wanted.into_iter().flatten().filter_map(|wanted| {

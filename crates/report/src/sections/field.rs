@@ -9,12 +9,12 @@ use crate::data::field::{FieldData, FieldYear};
 use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
-/// That the crashes were chosen for an injury.
+/// States that the crashes were chosen for an injury.
 pub(super) const CHOSEN: &str = "The crashes are assumed to have been chosen because somebody in either \
                                  vehicle was seriously hurt (MAIS 3 or more). Before the evidence, they are \
                                  more severe than those after which a vehicle was towed.";
 
-/// Intervals of ΔV, estimated without the recorder, against what it stored.
+/// Intervals of ΔV, estimated without the recorder, compared with the ΔV that it stored.
 #[must_use]
 pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     let mut document = Document::new();
@@ -71,7 +71,7 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
         ));
     }
     if !field.doubted.is_empty() {
-        // A vehicle has a record of each event.
+        // A vehicle has one record for each event.
         let recorders =
             field.doubted.iter().map(|(case, vehicle)| format!("vehicle {vehicle} of crash {case}"));
         let recorders: Vec<_> = recorders.collect::<BTreeSet<_>>().into_iter().collect();
@@ -97,7 +97,7 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     document
 }
 
-/// The tables of NHTSA that were read, and what they have to judge.
+/// The tables of NHTSA that were read, and the number of crashes in them that can be judged.
 pub(super) fn push_years(document: &mut Document, years: &[FieldYear]) {
     let Some(first) = years.first() else { return };
     document.push(tables_read(years));
@@ -184,7 +184,7 @@ pub(super) fn figure_columns(name: &str, width: usize) -> Vec<Column> {
     ]
 }
 
-/// What stands in them.
+/// Their cells.
 pub(super) fn figure_cells(name: &str, figures: &Figures) -> Vec<String> {
     let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
     let crps = number(3.6 * figures.crps, 2);

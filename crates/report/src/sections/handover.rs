@@ -25,33 +25,33 @@ use crate::steps::steps;
 use crate::units::{Measure, number};
 use crate::{Units, axes, basis, checks, energy, law, warnings, words};
 
-/// What a report shows besides the analysis itself.
+/// The parts of a report in addition to the analysis itself.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Supplements<'a> {
-    /// What the uncertain inputs of the case make of its results.
+    /// The effects of the uncertain inputs of the case on its results.
     pub uncertainty: Option<&'a Uncertainty>,
-    /// How the results follow each input.
+    /// How sensitive the results are to each input.
     pub sensitivity: Option<&'a Sensitivity>,
-    /// How far the program is off where the truth is known.
+    /// The errors of the program in collisions whose true speeds are known.
     pub validation: Option<&'a Validation>,
-    /// What the motion is drawn on.
+    /// The site plan on which the motion is drawn.
     pub site_plan: Option<&'a SitePlan>,
-    /// All the evidence weighed, where the case has more than its exact solution uses.
+    /// All the evidence weighed, if the case has more than its exact solution uses.
     pub weighed: Option<&'a Weighed>,
-    /// The same where the exact solution is the answer: its interval has the errors of the method.
+    /// The same if the exact solution is the answer: its interval contains the errors of the method.
     pub estimated: Option<&'a Estimated>,
 }
 
-/// Over the warnings and what the analysis rests on.
+/// The heading of the warnings and assumptions.
 const WARNINGS: &str = "Warnings and assumptions";
 const UNCERTAINTY: &str = "Uncertainty";
 const ERROR_RATE: &str = "Known error rate";
 
-/// The report to hand over. As HTML it has all drawings; as Markdown it says what they show, and `deltav
-/// draw` makes them.
+/// The report to hand over. As HTML, it has all drawings; as Markdown, it describes them, and `deltav draw`
+/// makes them.
 ///
 /// # Errors
-/// [`DrawingError::Analysis`] where the curve of the reconciliation cannot be computed.
+/// [`DrawingError::Analysis`] if the curve of the reconciliation cannot be computed.
 pub fn handover(
     file: &CaseFile,
     analysis: &Analysis,
@@ -170,7 +170,7 @@ pub fn handover(
     Ok(page)
 }
 
-/// All that the analysis has something for: one of damage alone has no scene, a forward one no
+/// All drawings for which the analysis has data: damage alone gives no scene, and a forward analysis no
 /// reconciliation.
 fn drawings(
     file: &CaseFile,
@@ -180,7 +180,7 @@ fn drawings(
 ) -> Result<Vec<Drawing>, DrawingError> {
     let mut drawings = Vec::new();
     for subject in Subject::ALL {
-        // Where momentum gave no speed, its polygon shows nothing that the energy does not.
+        // If momentum gave no speed, its polygon adds nothing to the drawing of the energy.
         let is_by_momentum = analysis.both.as_ref().is_some_and(|both| !both.is_by_crush());
         let drawn = match subject {
             Subject::Momentum if !is_by_momentum => continue,
@@ -233,10 +233,10 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
     facts
 }
 
-/// What was found, with its interval first where the inputs have one.
+/// The findings, each with its interval first if there is one.
 fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
-    // Spreads of yaw inertias and contact points alone move a speed little: an interval of them would be read
-    // as that of all.
+    // Spreads of yaw inertias and contact points alone change a speed little: their interval would be
+    // mistaken for one that contains all errors.
     let is_told = |uncertainty: &&Uncertainty| {
         let is_small = |input: &UncertainInput| {
             matches!(
@@ -300,7 +300,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
-    // Inputs that move none of these figures leave them without one.
+    // These figures have no interval if the uncertain inputs affect none of them.
     let has_interval = |uncertainty: &&Uncertainty| {
         let of = |vehicle| [rows::SPEED.of_vehicle(vehicle), rows::DELTA_V.of_vehicle(vehicle)];
         let mut outputs = VehicleId::ALL.into_iter().flat_map(of);
@@ -339,15 +339,15 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
 /// An interval with the errors of the method.
 struct Wide {
     words: String,
-    /// What its width leaves of the digits of a speed.
+    /// The decimals of a speed that make sense with its width.
     decimals: usize,
 }
 
-/// `54 to 101 mph (95 %, with the errors of the method)`; `None` of an output that does not vary.
+/// `54 to 101 mph (95 %, with the errors of the method)`; `None` for an output that does not vary.
 fn with_method(estimated: &Estimated, output: Output, units: Units) -> Option<Wide> {
     let found = estimated.output(output).filter(|found| found.varies())?;
     let [low, high] = ends(&found.posterior, WIDEST).map(|si| units.value(Measure::RoadSpeed, si));
-    // A last digit that is a hundredth of the width says nothing.
+    // A last digit that is a hundredth of the width is meaningless.
     let decimals = usize::from(high - low < WIDE);
     let words = format!(
         "{} to {} {} ({} %, with the errors of the method)",
@@ -359,10 +359,10 @@ fn with_method(estimated: &Estimated, output: Output, units: Units) -> Option<Wi
     Some(Wide { words, decimals })
 }
 
-/// (km/h or mph) a speed with an interval at least so wide is given without decimals.
+/// (km/h or mph) a speed with an interval at least this wide is given without decimals.
 const WIDE: f64 = 10.0;
 
-/// `45.8 to 58.0 mph (95 %, by the ranges of the case alone)`; `None` of an output that does not vary.
+/// `45.8 to 58.0 mph (95 %, by the ranges of the case alone)`; `None` for an output that does not vary.
 fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<String> {
     let place = uncertainty.outputs.iter().position(|other| other.output == output)?;
     let summary = uncertainty.propagation.summaries().get(place)?.as_ref()?;
@@ -379,9 +379,9 @@ fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<S
     ))
 }
 
-/// What the samples say of the speeds before the impact and of ΔV, a line each: the interval first, then the
-/// value at the central inputs, as the report leads with them. Empty where none of them varies, and where an
-/// exact solution is not the answer.
+/// The speeds before the impact and ΔV by the samples, one line each: the interval first, then the value at
+/// the central inputs, as at the head of the report. Empty if none of them varies, or if the exact solution
+/// is not the answer.
 #[must_use]
 pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String> {
     if uncertainty.nominal.overdetermined().is_some() {
@@ -402,7 +402,7 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
 /// (–) the level of the interval that the report leads with.
 const LEAD: f64 = 0.95;
 
-/// What the comparison with staged collisions says of the program, for this analysis.
+/// The error rate of the program by the comparison with staged collisions, for this analysis.
 fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec<String> {
     let is_found = analysis.found.is_some() || analysis.both.is_some();
     let of_speeds = (!is_found).then(|| {
@@ -491,7 +491,7 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
     paragraphs
 }
 
-/// Over the columns of the vehicles: these tables name no equations, which stand in the steps.
+/// A table with a column for each vehicle: it names no equations, which are in the steps.
 fn of_vehicles(title: &str) -> Table {
     Table::of_two(title, ["vehicle 1", "vehicle 2", "source"])
 }
@@ -593,7 +593,7 @@ fn energy_sources(analysis: &Analysis) -> String {
     format!("The crush energy is that {}.", sources.join(", and that "))
 }
 
-/// What the analysis rests on besides the numbers.
+/// The assumptions of the analysis, apart from numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
     let mut assumptions = Vec::new();
     if analysis.exchange().is_some() || analysis.crash3.is_some() {

@@ -1,5 +1,5 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
-//! weighed if there is more, with the exact solutions beneath and what speaks against each.
+//! weighed if there is more, followed by the exact solutions and the objections to each.
 
 use analysis::{Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
@@ -10,7 +10,7 @@ use crate::estimates::Asked;
 use crate::units::{Measure, Units};
 use crate::words;
 
-/// What leads a document of a reconstruction.
+/// The headline of a document on a reconstruction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Headline<'a> {
     /// The exact solution: the case just determines it.
@@ -29,7 +29,7 @@ const NAME: usize = 32;
 const SPEED: usize = 14;
 
 impl<'a> Headline<'a> {
-    /// The blocks that lead a document; none where the exact solution does.
+    /// The blocks of the headline; none if it is the exact solution.
     pub(crate) fn lead(self, analysis: &Seen, units: Units) -> Vec<Block> {
         match self {
             Self::Exact => Vec::new(),
@@ -118,7 +118,7 @@ fn columns() -> Vec<Column> {
         .collect()
 }
 
-/// The exact solution of an analysis, where nothing else was solved.
+/// The exact solution of an analysis, if nothing else was solved.
 fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution", columns());
@@ -137,7 +137,7 @@ fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
     table
 }
 
-/// The exact solutions, each with what speaks against it.
+/// The exact solutions, each with the objections to it.
 fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
     let mut table = Table::new("Exact solutions, each by a part of the evidence", columns());
     for solution in &weighed.solutions {
@@ -151,7 +151,7 @@ fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
     table
 }
 
-/// What speaks against a solution.
+/// The objections to a solution.
 fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units) -> String {
     let mut reasons = Vec::new();
     let [speeds, changes] = solution.outside;

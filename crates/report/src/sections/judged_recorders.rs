@@ -1,4 +1,4 @@
-//! Speeds before the impact by all other evidence, against what recorders stored.
+//! Speeds before the impact by all other evidence, compared with those that recorders stored.
 
 use field::Recorders;
 
@@ -7,7 +7,7 @@ use crate::data::judged_recorders::doubt;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
 
-/// The speeds and the ΔV of a table of crashes against what recorders stored.
+/// The speeds and the ΔV of a table of crashes, compared with those that recorders stored.
 #[must_use]
 pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
     let mut document = Document::new();

@@ -18,7 +18,7 @@ pub(crate) const CHOICES: &str = "Choices";
 pub(crate) const ASSUMED: &str = "Assumed, because the file does not say";
 /// (columns) of usual keys.
 const KEY: usize = 36;
-/// (columns) of what the file says.
+/// (columns) of the values as written in the file.
 const WRITTEN: usize = 22;
 /// (columns) of a value.
 const VALUE: usize = 14;
@@ -82,7 +82,7 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
             }
             continue;
         };
-        // It lacks what another command lacks, which was reported there.
+        // It lacks the same data as another command, for which this was reported.
         let is_told = on != purpose
             && judgement
                 .abilities
@@ -125,7 +125,7 @@ fn numbers(case: &Case) -> Table {
         let amount = amount(input.number, input.unit);
         let written = match spread {
             None => amount,
-            // A range that is too long for the column stands below its number.
+            // A range that is too long for the column is below its number.
             Some(spread) if amount.chars().count() + spread.chars().count() + 2 > WRITTEN => {
                 format!("{amount};\n{spread}")
             }
@@ -137,7 +137,7 @@ fn numbers(case: &Case) -> Table {
     table
 }
 
-/// What a command that runs is good for in this case.
+/// The use of a command that can run, in this case.
 fn good_for(case: &Case, purpose: Purpose) -> String {
     match (&case.reconstruct, purpose) {
         (Some(reconstruct), Purpose::Reconstruct) => {

@@ -232,8 +232,8 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     Some([whole, of_vehicles])
 }
 
-/// The most likely combinations of starts that lead to the rests, and what speaks against each; `None` unless
-/// there are several.
+/// The most likely combinations of starts that lead to the rest positions, and the objections to each; `None`
+/// unless there are several.
 fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     if both.combinations.len() < 2 {
         return None;

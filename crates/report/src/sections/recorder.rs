@@ -1,4 +1,4 @@
-//! What the recorders of a case say alone.
+//! The readings of the recorders of a case on their own.
 
 use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, SeriesSource};
@@ -83,12 +83,12 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     lines
 }
 
-/// Whether the recorder is away from the centre of gravity, and the case has what takes ΔV there.
+/// Whether the recorder is away from the centre of gravity, and the case has the data to convert ΔV to there.
 fn is_of_center(found: &VehicleReading) -> bool {
     found.recorder.at.is_some() && found.recorder.yaw_rate.is_some()
 }
 
-/// What the clock of both records is, and where one of them ends before it is 0.
+/// The common clock of both records, and which of them end before time 0.
 fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
         .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
@@ -102,7 +102,7 @@ fn one_clock(reading: &RecorderReading) -> String {
     )
 }
 
-/// The heading of what tells records apart.
+/// The heading of the choice among records.
 pub(crate) const WHICH: &str = "Which record is of this impact";
 
 /// Whether a record is of the impact, in words.
@@ -131,7 +131,7 @@ fn part(found: &VehicleReading, name: &str) -> Block {
     Block::Subheading(number.map_or_else(|| name.to_owned(), |number| format!("{name}: record {number}")))
 }
 
-/// Which record is of the impact of the case, if there are several or the only one hardly is.
+/// Which record is of the impact of the case, if there are several, or if the only one is probably not.
 fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     if !found.of_impact.is_told() {
         return;
@@ -183,7 +183,7 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     page.push(table);
 }
 
-/// The span that leads: that to the greatest ΔV.
+/// The leading span: that to the largest ΔV.
 fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
     spans.iter().find(|span| span.rule == PulseRule::GreatestDeltaV)
 }
@@ -250,7 +250,7 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
     }
 }
 
-/// Where a table comes from.
+/// The source of a table.
 fn from(source: &SeriesSource) -> String {
     match source {
         SeriesSource::Text(_) => "From the text in the case".to_owned(),
@@ -337,7 +337,7 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
         Column::numbers("time", Width::Fixed(7)).unit("s"),
         Column::numbers("speed", Width::Fixed(8)).unit(speed),
     ];
-    // Columns that the record does not have stay out.
+    // Columns that the record does not have are omitted.
     let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
     let shown = [
         has(|one| one.brake.is_some()),
@@ -381,10 +381,10 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     table
 }
 
-/// (–) so many standard deviations above 0, hardly a draw is cut off there.
+/// (–) if a mean is this many standard deviations above 0, hardly a draw is cut off at 0.
 const SURELY: f64 = 4.0;
 
-/// The speed at impact, and what its error comes from.
+/// The speed at impact, and the sources of its error.
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
     let unit = units.name(Measure::RoadSpeed);
     let plain = |si: f64| units.plain(Measure::RoadSpeed, si);
@@ -413,7 +413,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
             number(100.0 * share, 0),
         ]);
     }
-    // The parts are of numbers that may fall below 0, by braking or rounding.
+    // The parts are computed before numbers below 0, due to braking or rounding, are cut off.
     let uncut = speed.stored + speed.parts.iter().map(|part| part.shift).sum::<f64>();
     let cut = speed.mean - uncut;
     if uncut < SURELY * whole.sqrt()
@@ -456,7 +456,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     table
 }
 
-/// What is taken of the brake between the last speed and the impact.
+/// The assumption about the brake between the last speed and the impact.
 fn brake(found: &VehicleReading) -> String {
     let percent = number(100.0 * found.errors.brake_comes_on, 0);
     let samples = found.recorder.before_impact().map_or(&[][..], PreCrash::samples);
@@ -548,7 +548,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
     }
 }
 
-/// What the reader of a pulse is to know of it.
+/// Remarks on a pulse.
 fn remarks(page: &mut Document, found: &VehicleReading) {
     let Some(pulse) = found.recorder.during_impact() else { return };
     if found.recorder.incomplete {
@@ -582,7 +582,7 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
 }
 
-/// Where the recorder is, and ΔV at the centre of gravity.
+/// The position of the recorder, and ΔV at the centre of gravity.
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let (Some(at), Some(told)) = (found.recorder.at, found.delta_v.filter(|_| is_of_center(found))) else {
         return "ΔV is that at the place of the recorder: with `yaw_rate` it is converted to that at the \

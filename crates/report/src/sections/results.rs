@@ -13,7 +13,7 @@ use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
 use crate::{axes, basis, checks, law, warnings, words};
 
-/// A crush that was not measured: how deep it is where the width is known, and its bounds where it is not.
+/// A crush that was not measured: its depth if the width is known, otherwise its bounds.
 fn inferred_crush(inferred: &Inferred, units: Units) -> String {
     let length = |si: f64| units.format(Measure::Crush, si);
     let of = |crush: &UniformCrush| format!("{} deep, {} wide", length(crush.depth), length(crush.width));
@@ -33,8 +33,8 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
     }
 }
 
-/// The same of a case with more evidence than its exact solution uses: led by what all of it says, with what
-/// speaks against each exact solution.
+/// The same for a case with more evidence than its exact solution uses: the answer of all the evidence first,
+/// with the objections to each exact solution.
 #[must_use]
 pub fn weighed(case: &Case, analysis: &Analysis, weighed: &Weighed, units: Units) -> Document {
     headed(case, analysis, Headline::Weighed(weighed), units)
@@ -98,13 +98,13 @@ struct Page<'a> {
     document: Document,
 }
 
-/// Over the columns of the vehicles.
+/// The headings of the columns of the vehicles.
 const VEHICLES: [&str; 3] = ["vehicle 1", "vehicle 2", ""];
-/// The same, where each row has a source.
+/// The same, if each row has a source.
 const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
 
 impl Page<'_> {
-    /// What the exact solution says: the answer, or a paragraph where it is not.
+    /// The findings of the exact solution: as the answer, or as a paragraph if it is not the answer.
     fn answer(&mut self, found: Vec<String>, how: String) {
         if self.headline.is_exact() {
             self.document.push(Block::Answer { found, how });
@@ -113,7 +113,7 @@ impl Page<'_> {
         }
     }
 
-    /// The evidence that a forward analysis does not use. Of a reconstruction the headline says it.
+    /// The evidence that a forward analysis does not use. For a reconstruction, the headline names it.
     fn left_aside(&mut self, analysis: &Seen) {
         if self.headline.is_exact() {
             self.document.blocks.extend(warnings::left_aside(&analysis.left_aside, analysis.can_be_weighed));
@@ -168,7 +168,7 @@ impl Page<'_> {
         self.answer(found.collect(), motion::how(both, analysis, units));
     }
 
-    /// Where the vehicles come to rest, or how they left the impact: the answer of a motion alone.
+    /// The rest positions of the vehicles, or how they left the impact: the answer of a motion alone.
     fn rests(&mut self, analysis: &Seen) {
         let units = self.units;
         let of = |id: VehicleId| {
@@ -240,7 +240,7 @@ impl Page<'_> {
         row("EES as given", &|i| Some(units.speed(known_energy(i)?.ees?)));
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());
-        // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
+        // The offset of a front or rear is from the vehicle's axis, that of a side from its CG.
         let side_of_y = axes::side_of_y(self.axes);
         for (label, is_end) in [
             (format!("damage offset {side_of_y} of axis"), true),
@@ -281,7 +281,7 @@ impl Page<'_> {
         self.shared_inputs(case, analysis);
     }
 
-    /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the
+    /// Inputs without a column for each vehicle: profiles, which need the whole line, and inputs of the
     /// collision.
     fn shared_inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
@@ -312,8 +312,8 @@ impl Page<'_> {
         self.document.push(table);
     }
 
-    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle
-    /// and coefficient.
+    /// Coefficients in one row if they are the same all along the side, else in one row for each vehicle and
+    /// coefficient.
     fn stiffness(&self, analysis: &Seen, table: &mut Table) {
         let units = self.units;
         let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
@@ -355,7 +355,7 @@ impl Page<'_> {
 
     fn impact(&mut self, analysis: &Seen, exchange: &Exchange) {
         let chosen = Chosen { analysis, units: self.units };
-        // Momentum tells neither a moment nor whether friction sufficed.
+        // Momentum reveals neither a moment nor whether friction sufficed.
         let impact = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none());
         let mut table = Table::of_two("Impact", ["along n", "along t", "source"]);
         for pair in [
@@ -372,7 +372,8 @@ impl Page<'_> {
         }
         let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
         chosen.shared(&mut table, &rows::IMPACT_MOMENT_IMPULSE);
-        // As many digits as the coefficient has, which the case gives; that of a curve has no end.
+        // As many digits as the case gives for the coefficient, but at most four decimals, as that of a curve
+        // has no end.
         if let Some(e) = exchange.restitution {
             let e = (e * 1e4).round() / 1e4 + 0.0;
             chosen.shared_with(&mut table, &rows::IMPACT_RESTITUTION, |_| e.to_string());
@@ -460,7 +461,7 @@ impl Page<'_> {
             table.pair(rows::CRUSH_ENERGY_BOUNDS_LOW.label, each(&bounds), "theory 5");
         }
         chosen.pair(&mut table, &rows::CRUSH_ENERGY);
-        // That of the impulse stands above; here is the one that the file puts in its place.
+        // The PDOF of the impulse is above; this is the one that the file gives instead.
         let is_given = |i: usize| analysis.vehicles[i].subject.pdof().is_some();
         let is_alone = analysis.exchange().is_none();
         if is_alone || [0, 1].into_iter().any(is_given) {
@@ -526,7 +527,7 @@ impl Page<'_> {
             ["ΔV 1, without restitution", "ΔV 2, without restitution", "source"],
         );
         for row in &crash3.corrections {
-            // A number would take the label over its columns.
+            // With the number, the label would be too long for its column.
             let factor =
                 law::friction_limits(row).map_or_else(|| law::factor(row), |_| law::friction_factor(&"μ"));
             let label = format!("{:<9}{factor}", law::row_name(row));
@@ -561,7 +562,7 @@ impl Page<'_> {
 pub(crate) fn search(found: &Found) -> String {
     match found.iterations.as_ref().map(Vec::len) {
         None => "in closed form".to_owned(),
-        // An end of the bracket was the root already.
+        // An end of the bracket was already the root.
         Some(0) => "by root-finding".to_owned(),
         Some(1) => "by root-finding in 1 step".to_owned(),
         Some(steps) => format!("by root-finding in {steps} steps"),

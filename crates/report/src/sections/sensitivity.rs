@@ -57,7 +57,7 @@ fn size(row: &Derivative) -> f64 {
 
 fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table {
     let quantity = output_quantity(first.output);
-    // Where there is one column for a speed, it is that of the road.
+    // If there is only one column for a speed, it has the unit of the road.
     let (alone, value) = match quantity {
         Measure::Speed => (Measure::RoadSpeed, units.speed(first.output_value)),
         other => (other, units.format(other, first.output_value)),

@@ -41,8 +41,8 @@ const SWITCH_OFF: &str = "List the key under `exact` in [uncertainty] to switch 
 /// (–) a cut that removes less is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
-/// The summary of each output as tables and bars, what drives them, and the warnings of the case as it
-/// stands.
+/// The summary of each output as tables and bars, the inputs that drive it, and the warnings of the case as
+/// it stands.
 #[must_use]
 pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
     let mut page = Page { case, uncertainty, units, document: Document::of_case(case) };
@@ -187,7 +187,7 @@ impl<'a> Page<'a> {
         label(output.output, quantity, self.units)
     }
 
-    /// The quantity as which a speed is repeated.
+    /// The measure in which a speed is repeated.
     fn beside(output: &UncertainOutput) -> Option<Measure> {
         (output_quantity(output.output) == Measure::Speed).then_some(Measure::Speed)
     }
@@ -196,7 +196,7 @@ impl<'a> Page<'a> {
     fn error(&self, output: &UncertainOutput, estimate: Estimate, columns: usize) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
             let error = self.units.value(pictured(output.output), error);
-            // Two digits, and all that stand before the point; fewer where there is no room.
+            // Two digits, or all digits before the point if those are more; fewer if there is no room.
             let shown = if error < 10.0 { significant(error, 2) } else { number(error, 0) };
             let fits = |shown: &str| shown.chars().count() < columns;
             let shorter = || Some(significant(error, 1)).filter(|shown| error < 10.0 && fits(shown));
@@ -206,7 +206,7 @@ impl<'a> Page<'a> {
         })
     }
 
-    /// An SI value with decimals enough for two digits of a standard deviation (SI) that is not zero.
+    /// An SI value with enough decimals for two digits of a standard deviation (SI) that is not zero.
     fn resolved(&self, quantity: Measure, sd: f64) -> impl Fn(f64) -> String + use<> {
         let units = self.units;
         let decimals =
@@ -253,7 +253,7 @@ impl<'a> Page<'a> {
             } else {
                 "no".to_owned()
             };
-            // The standard error stands below the value.
+            // The standard error is below the value.
             let of = |estimate: Estimate| {
                 format!("{}\n{}", plain(estimate.value), self.error(output, estimate, 10))
             };
@@ -368,7 +368,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// The places of the outputs whose drivers are shown: the first, and both speeds where both are found.
+    /// The places of the outputs whose drivers are shown: the first, and both speeds if both are found.
     fn answers(&self) -> Vec<usize> {
         let is_speed = |output: &UncertainOutput| output.output.is(&SPEED);
         let outputs = self.uncertainty.outputs.iter().enumerate();
@@ -645,7 +645,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// A number with its unit; of a list, the least and the greatest.
+/// A number with its unit; for a list, the smallest and the largest.
 fn exact_value(numbers: &[Input]) -> String {
     match numbers {
         [] => NONE.to_owned(),
@@ -663,7 +663,7 @@ fn exact_value(numbers: &[Input]) -> String {
     }
 }
 
-/// A figure for a narrow column: without commas where it is too long with them.
+/// A figure for a narrow column: without commas if it is too long with them.
 pub(super) fn short(figure: String) -> String {
     if figure.chars().count() > END { figure.replace(',', "") } else { figure }
 }

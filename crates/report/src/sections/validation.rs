@@ -39,7 +39,7 @@ impl Notes {
                 _ if cell.fails() => "FAILS".to_owned(),
                 Claim::Reproduces { tolerance } => {
                     let tolerance = number(tolerance / size, decimals);
-                    // Of two tolerances, the second needs no sign of its own.
+                    // A second tolerance needs no sign of its own.
                     if parts.iter().any(|part| part.starts_with('≤') && *part != format!("≤ {tolerance}"))
                     {
                         tolerance
@@ -117,7 +117,7 @@ fn heading(words: &str) -> Block {
     Block::Heading(words.to_owned())
 }
 
-/// How far reconstructed speeds are from true ones, and why: the paragraph that stands in the README.
+/// How far reconstructed speeds are from true ones, and why: the paragraph in the README.
 #[must_use]
 pub fn validation_headline(validation: &Validation, units: Units) -> String {
     let errors = &validation.speed_errors;
@@ -178,7 +178,7 @@ pub fn both_speeds_headline(validation: &Validation, units: Units) -> String {
     )
 }
 
-/// The least and the greatest.
+/// The smallest and the largest.
 fn spread(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
@@ -260,7 +260,7 @@ fn verdict(validation: &Validation) -> Vec<Block> {
     blocks
 }
 
-/// What a laboratory records of the validation of a method.
+/// The record that a laboratory keeps on the validation of a method.
 fn record(validation: &Validation) -> Vec<Block> {
     let rows = validation.requirements().into_iter().map(|found| {
         let outcome = if found.is_met() { "met" } else { "NOT MET" };

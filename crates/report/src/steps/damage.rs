@@ -32,7 +32,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     groups
 }
 
-/// The crush that was measured; `None` where it was inferred.
+/// The crush that was measured; `None` if it was inferred.
 pub(super) fn measured(vehicle: &Vehicle) -> Option<&Profile> {
     match &vehicle.subject.damage.as_ref()?.evidence {
         CrushEvidence::Measured { profile, .. } => Some(profile),
@@ -74,7 +74,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Ve
     steps
 }
 
-/// An energy that is given directly, as a speed, or that of a vehicle without damage.
+/// An energy that is given directly or as a speed, or that of a vehicle without damage.
 fn energy_alone(vehicle: &Vehicle, i: VehicleId) -> Option<Vec<Step>> {
     let (inertia, energy) = vehicle.subject.inertia.zip(vehicle.energy)?;
     if vehicle.subject.energy?.ees.is_none() {
@@ -175,7 +175,7 @@ fn sought(analysis: &Seen) -> Vec<Step> {
     steps
 }
 
-/// λ, where the case gives one.
+/// λ, if the case gives one.
 pub(super) fn share(analysis: &Seen) -> Vec<Step> {
     let Basis::TangentialShare(share) = analysis.basis else { return Vec::new() };
     vec![given("share of the tangential work in the crush energy", "λ", share, "", "theory 6")]

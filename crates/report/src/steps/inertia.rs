@@ -1,4 +1,4 @@
-//! Mass and yaw inertia, from what the file says about them.
+//! Mass and yaw inertia, from the values in the file.
 
 use analysis::{Seen, Vehicle};
 use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};

@@ -270,7 +270,7 @@ impl Momentum<'_> {
         let theta = angle(heading(self.case, k));
         let change = effect.delta_v[k.index()];
         let (x, y) = (n(change.x, "m/s"), n(change.y, "m/s"));
-        // A PDOF is clockwise in any axes: what counts is the component to the left, −y in z-down axes.
+        // A PDOF is clockwise in any axes: the relevant component is the one to the left, −y in z-down axes.
         let (left, left_numbers) = match self.case.axes {
             Axes::ZUp => (
                 format!("ΔV_{k}y cos θ_{k} − ΔV_{k}x sin θ_{k}"),
@@ -349,7 +349,7 @@ impl Momentum<'_> {
         self.both.momentum.contact.normal_angle()
     }
 
-    /// The kinetic energies, their difference, and what neither work takes of it.
+    /// The kinetic energies, their difference, and the part of it that neither work explains.
     fn energy(&self, effect: &Exchange) -> Vec<Step> {
         let moving = self.moving();
         let bodies = self.both.momentum.contact.participants();

@@ -8,12 +8,13 @@ use case::Quantity;
 
 use crate::units::{Units, significant};
 
-/// The marks of such a number: begin, separator of its parts, and end. No text of a step contains them.
+/// The marks of such a number: beginning, separator of its parts, and end. No other text of a step contains
+/// them.
 const BEGIN: char = '\u{e000}';
 const NEXT: char = '\u{e001}';
 const END: char = '\u{e002}';
 
-/// A number with its unit, in parentheses where it is negative or a product.
+/// A number with its unit, in parentheses if it is negative or a product.
 pub(super) fn n(value: f64, unit: &str) -> String {
     format!("{BEGIN}n{NEXT}{value:e}{NEXT}{unit}{END}")
 }
@@ -119,7 +120,7 @@ pub(crate) fn digits(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// A smaller number has more than two zeros after the point.
+/// A smaller number has at least three zeros after the point.
 const LONG: f64 = 1e-3;
 
 fn is_short(value: f64) -> bool {

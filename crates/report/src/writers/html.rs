@@ -7,8 +7,7 @@ use super::{anchor, code_spans};
 use crate::document::{Block, Cells, Column, Row, Table};
 use crate::steps::{Step, StepGroup};
 
-/// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room
-/// for.
+/// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that fit both.
 const STYLE: &str = "
 :root { color-scheme: light; }
 body { font: 16px/1.5 Arial, Helvetica, 'DejaVu Sans', sans-serif; color: #111; background: #fff; max-width: 60rem; margin: 0 auto; padding: 1rem 1.25rem 3rem; }
@@ -221,7 +220,7 @@ fn is_number(column: &Column) -> bool {
     column.cells == Cells::Numbers
 }
 
-/// Each line on a line of its own.
+/// Each line of a text on its own line.
 fn lines(text: &str) -> Markup {
     html! {
         @for (i, line) in text.lines().enumerate() {
@@ -286,7 +285,7 @@ fn prose(text: &str) -> Markup {
     }
 }
 
-/// Sets what follows an underscore as a subscript: letters and digits, and more of them after a comma or a
+/// Sets the text after an underscore as a subscript: letters and digits, and more of them after a comma or a
 /// plus without a blank. The underscores of a key, such as `crush_plane`, stay.
 fn subscripts(text: &str) -> Markup {
     let mut begin = 0;
@@ -306,7 +305,8 @@ fn subscripts(text: &str) -> Markup {
     }
 }
 
-/// Whether a text ends in the beginning of a key: a word of small letters, where a symbol has one or two.
+/// Whether a text ends in the beginning of a key: a word in lower case, whereas a symbol has one or two
+/// letters.
 fn is_key(text: &str) -> bool {
     let begin = text.trim_end_matches(|letter: char| letter.is_ascii_alphanumeric() || letter == '_').len();
     let word = text[begin..].split('_').next().unwrap_or_default();

@@ -61,7 +61,7 @@ fn block(block: &Block) -> String {
     }
 }
 
-/// The title of what follows it; nothing where it is empty.
+/// The title of the block that follows; nothing if it is empty.
 fn titled(title: &str) -> String {
     if title.is_empty() { String::new() } else { format!("**{}**\n\n", escaped(title)) }
 }

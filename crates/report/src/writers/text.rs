@@ -145,7 +145,7 @@ impl Page {
         }
     }
 
-    /// Writes a table; `has_rule` if the heading above it has a rule already.
+    /// Writes a table; `has_rule` if the heading above it already has a rule.
     fn table(&mut self, table: &Table, has_rule: bool) {
         let columns = places(table, self.line);
         let mut names: Vec<String> = table.columns.iter().map(|column| column.name.clone()).collect();
@@ -204,7 +204,7 @@ impl Page {
     }
 }
 
-/// Whether a table has no title and stands right below a heading, which has a rule.
+/// Whether a table has no title and is right below a heading, which has a rule.
 fn is_beneath_a_heading(block: &Block, before: Option<&Block>) -> bool {
     matches!((before, block), (Some(Block::Heading(_)), Block::Table(table)) if table.title.is_empty())
 }
@@ -221,7 +221,7 @@ struct Place {
 fn places(table: &Table, line: usize) -> Vec<Place> {
     let longest = |i: usize, column: &Column| {
         let of_row = |row: &Row| match row {
-            // The lines below the first have the following columns to themselves.
+            // The further lines of a cell may use the space of the following columns.
             Row::Cells(cells) => {
                 cells.get(i).and_then(|cell| cell.lines().next()).map_or(0, |line| line.chars().count())
             }
@@ -286,8 +286,8 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
             Cells::Words | Cells::Bars => used + 2,
         };
         let mut start = wanted.max(least);
-        // A first cell that is too long gets a line of its own, as do words that a figure would run into; a
-        // cell that would exceed the line starts the next.
+        // A first cell that is too long gets its own line, as do words that a figure would run into; a cell
+        // that would exceed the line starts the next one.
         let runs_into = used + 2 > wanted && (is_label || is_words && place.cells == Cells::Numbers);
         if used > 0 && (runs_into || start > wanted && start + width > line) {
             out.push_str(current.trim_end());

@@ -74,8 +74,8 @@ impl Crushed {
     }
 }
 
-/// Whether the front of a vehicle met a fixed object, as in the crashes to which the figures of these were
-/// fitted.
+/// Whether the front of a vehicle met a fixed object, as in the crashes to which the figures for fixed
+/// objects were fitted.
 pub(crate) fn is_with_object(case: &Case, hit: &[DamagedSide]) -> bool {
     case.vehicles.iter().any(|vehicle| vehicle.fixed) && hit == [DamagedSide::Front]
 }
@@ -160,7 +160,7 @@ pub(super) fn crush_errors(
         });
         let usual = FITTED.energy_error(method, misfit, has_range);
         if method == EnergyMethod::OfObject {
-            // What a case says of the errors of crush energies is not meant for it.
+            // The errors of crush energies that a case gives do not apply to an object.
             return Some(usual);
         }
         Some(EnergyError {

@@ -41,7 +41,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
             longitudinal = Some(RecordedPart { along, ln_scale, least, freedom });
         }
     }
-    // How the force turns in what is left of the impact is not known.
+    // The direction of the force in the rest of the impact is unknown.
     let both = along.zip(left).filter(|_| !ends_early);
     let direction = both.filter(|(along, left)| *along != 0.0 || *left != 0.0).map(|(along, left)| {
         // Away from the origin of the force; clockwise from the heading.

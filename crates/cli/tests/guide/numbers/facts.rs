@@ -1,4 +1,4 @@
-//! Patterns of the README and the guide, put together from where their numbers come from.
+//! Patterns of the README and the guide, put together from the sources of their numbers.
 
 use std::f64::consts::PI;
 
@@ -81,7 +81,7 @@ fn readme(ledger: &mut Ledger) {
 
     let case = json("reconstruct fixtures/sae-980025.toml");
     let of = |path: &str| at(&case, path);
-    // What the paper prints stands in the data of `deltav validate`, in SI units.
+    // The printed numbers of the paper are in the data of `deltav validate`, in SI units.
     let staged = json("validate");
     let printed = |quantity: &str| {
         let rows = staged["appendix"].as_array().unwrap();
@@ -237,7 +237,7 @@ fn crush(ledger: &mut Ledger) {
     ledger.cited("the … 1970s", "the age of the crash tests behind CRASH3's table");
     // B = d_1²
     ledger.made(format!("factor … {} in", number((0.3048_f64 / 0.0254).powi(2), 0)));
-    // What rebounds of the energy is e².
+    // The share of the energy that rebounds is e².
     ledger.quoted("A²/2B … unless", &page("docs/theory.md"), "G = A²/2B");
     ledger.quoted("Fonda's 1/cos α", &page("docs/theory.md"), "1/cos α comes");
     ledger.quoted("SAE 1999-01-0106", &page("docs/theory.md"), "SAE 1999-01-0106");
@@ -265,7 +265,7 @@ fn crush(ledger: &mut Ledger) {
 fn estimate(ledger: &mut Ledger) {
     ledger.page("docs/guide/estimate.md");
     let guide = page("docs/guide/case-file.md");
-    // ln of what crush shows of the energy that the impact took.
+    // ln of the share of the impact's energy that the crush shows.
     let share = evidence::FITTED.crush_bias.exp();
     let shown = number(100.0 * share, 0);
     ledger.quoted(&format!("average {shown} % … show"), &guide, "59 % for a class or category");
@@ -351,6 +351,7 @@ fn motion(ledger: &mut Ledger) {
     for pattern in [
         "EDCRASH manual, chapter 2, Tables 2-6 and 2-7",
         "rolls freely | 0.01",
+        "share of the friction, such as 0.013/μ",
         "partly flat | 0.013",
         "high gear | 0.15 to 0.20",
         "low gear | 0.2 to 0.4",
@@ -391,7 +392,7 @@ fn sensitivity(ledger: &mut Ledger) {
     ledger.cited("1 % … input", "the definition");
     ledger.cited("1° … angle", "the definition");
     ledger.cited("10 cm … coordinate", "the definition");
-    // Tried, not by the derivative.
+    // By trial, not by the derivative.
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {
         let text = text.replace("\"-23 deg\"", &format!("\"{plane} deg\""));

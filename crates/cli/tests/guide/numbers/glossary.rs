@@ -1,4 +1,4 @@
-//! Patterns of crates/report/glossary.md, put together from where their numbers come from.
+//! Patterns of crates/report/glossary.md, put together from the sources of their numbers.
 
 use std::f64::consts::PI;
 
@@ -78,7 +78,7 @@ fn motion(ledger: &mut Ledger) {
     ledger.cited("outline (SAE 870045", "the number of the paper");
 }
 
-/// (m) k of CRASH3's classes, and by how much of these that of Burg's estimate is below.
+/// (m) k of CRASH3's classes, and the share by which k of Burg's estimate is below these.
 fn radii() -> [Vec<f64>; 2] {
     let classes: Vec<VehicleClass> = (1..=6).map(|class| VehicleClass::new(class).unwrap()).collect();
     let burg = |class: &VehicleClass| yaw_inertia_burg(1.0, class.wheelbase, class.length).unwrap().sqrt();
@@ -241,7 +241,7 @@ fn ranges(ledger: &mut Ledger) {
     ledger.cited("change … 1 % … 1° … 1 cm", "the definition");
 }
 
-/// The paper's example with both speeds and these changes: what it is warned of.
+/// The analysis, with its warnings, of the paper's example with both speeds and these changes.
 fn warned(changes: &[(&str, String)]) -> Analysis {
     let mut text = page("fixtures/sae-980025.toml").text;
     for (old, new) in changes {
@@ -264,7 +264,7 @@ pub(super) fn pdof_difference() -> String {
 }
 
 fn warnings(ledger: &mut Ledger) {
-    // How far the contact point may lie before the front of a Jimmy that is as long as its CG is behind that.
+    // How far the contact point may be ahead of the front of the Jimmy, which here is 1.8 m ahead of its CG.
     let outside = |distance: f64| {
         let contact = (
             "contact     = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }",
@@ -277,7 +277,7 @@ fn warnings(ledger: &mut Ledger) {
     };
     ledger.made(format!("{} cm … outside", number(100.0 * threshold(0.3, 0.0, outside), 0)));
     ledger.made(format!("differs … {}°", pdof_difference()));
-    // A recorder of the Altima, which the case takes as driving at 10 mph.
+    // A recorder of the Altima, whose speed in the case is 10 mph.
     let recorder = |off: f64| {
         let speed = 10.0 * MILE_PER_HOUR + off;
         let line = (
@@ -345,7 +345,7 @@ fn warnings(ledger: &mut Ledger) {
     ledger.made(format!("80 … {} … turns", number(80.0 / (2.0 * PI), 1)));
 }
 
-/// What a car of 1500 kg against a wall is warned of, with more of its keys and those of its damage.
+/// The text of a case of a car of 1500 kg against a wall, with further keys of the car and of its damage.
 fn damaged(of_car: &str, of_crush: &str, stiffness: &str) -> String {
     format!(
         "[vehicle2]\nfixed = true\n[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n{of_car}\n[vehicle1.crush]\nside = \"front\"\n\
@@ -376,7 +376,7 @@ fn is_warned(code: &str, text: &str) -> bool {
     analysed(text).warnings.iter().any(|warning| warning.code() == code)
 }
 
-/// |μ| from which on the program warns.
+/// |μ| above which the program warns.
 pub(super) fn large_ratio() -> String {
     let warns = |mu: f64| is_warned("large-impulse-ratio", &skid(-40.0, &format!("{{ ratio = {mu} }}"), ""));
     number(threshold(2.0, 0.5, warns), 0)
@@ -396,8 +396,8 @@ fn jumps(ledger: &mut Ledger) {
     ledger.made(format!("within … {share} %"));
     ledger.made(format!("known … {share} %"));
     ledger.made(format!("because over {share} %"));
-    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that
-    // this makes.
+    // M, and with it the step of the motion, depends on e_m: the least e_m for which the jump is named, and
+    // the step there.
     let sides = |e_m: f64| {
         let text = text.replace("= -0.5 ", &format!("= {e_m} "));
         // The ratio of the full impulse is that of the critical condition.
@@ -462,7 +462,7 @@ fn places(ledger: &mut Ledger) {
     ledger.made(format!("reaches … {} cm", number(100.0 * threshold(0.5, 0.0, outside), 0)));
 }
 
-/// From what to what the program takes a number of a vehicle for usual, where it does not.
+/// The usual range of a number of a vehicle, from the warning about an unusual one.
 fn usual(text: &str) -> [f64; 2] {
     let mut found = analysed(text).warnings.into_iter().filter_map(|warning| match warning {
         Warning::Implausible { usual, .. } => Some(usual),
@@ -561,12 +561,12 @@ pub(super) fn no_damage_speeds() -> [f64; 3] {
     [usual[0], usual[usual.len() - 1], high]
 }
 
-/// (mph) the no-damage speed from which on the program warns.
+/// (mph) the no-damage speed above which the program warns.
 pub(super) fn high_no_damage_speed() -> f64 {
     threshold(20.0, 1.0, |speed| no_damage_speed_is_warned("high-no-damage-speed", speed)) / MILE_PER_HOUR
 }
 
-/// Of a no-damage speed (m/s).
+/// Whether there is a warning with this code for a no-damage speed (m/s).
 fn no_damage_speed_is_warned(code: &str, speed: f64) -> bool {
     // b_0 = √(2 G w/m), so that G = b_0² m/2w
     let g = speed * speed * 1500.0 / 3.0;

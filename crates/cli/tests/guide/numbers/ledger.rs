@@ -1,4 +1,4 @@
-//! Where the numbers of patterns come from: results of the program, its limits, other pages.
+//! The sources of the numbers in patterns: results of the program, its limits, other pages.
 
 use std::f64::consts::PI;
 use std::process::Command;
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::guide::prose::{Page, page, root};
 
-/// Numbers with their units and an anchor word, ` … ` between them, and the page in which they stand.
+/// Numbers with their units and an anchor word, separated by ` … `, and the page that contains them.
 pub(super) struct Fact {
     pub(super) page: &'static str,
     pub(super) pattern: String,
@@ -25,7 +25,7 @@ pub(super) fn deltav(arguments: &str) -> (String, i32) {
     (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
 }
 
-/// What the program prints as JSON.
+/// The JSON that the program prints.
 pub(super) fn json(arguments: &str) -> Value {
     serde_json::from_str(&deltav(&format!("{arguments} --format json")).0).unwrap()
 }
@@ -79,7 +79,7 @@ pub(super) const FOOT: f64 = 0.3048;
 pub(super) const MILE_PER_HOUR: f64 = 0.44704;
 pub(super) const FOOT_POUND: f64 = FOOT * 4.448_221_615_260_5;
 
-/// Patterns of one page after the other.
+/// The patterns of the pages, one page after the other.
 #[derive(Default)]
 pub(super) struct Ledger {
     pub(super) facts: Vec<Fact>,
@@ -87,17 +87,17 @@ pub(super) struct Ledger {
 }
 
 impl Ledger {
-    /// What follows stands in this page.
+    /// Begins the patterns of this page.
     pub(super) fn page(&mut self, page: &'static str) {
         self.page = page;
     }
 
-    /// Its numbers were put in by the caller.
+    /// Adds a pattern into which the caller has put the numbers.
     pub(super) fn made(&mut self, pattern: impl Into<String>) {
         self.facts.push(Fact { page: self.page, pattern: pattern.into() });
     }
 
-    /// Its numbers stand in another page, in this pattern.
+    /// Adds a pattern whose numbers are in another page, in the given words.
     #[track_caller]
     pub(super) fn quoted(&mut self, pattern: &str, source: &Page, words: &str) {
         let one_line = source.text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -112,7 +112,7 @@ impl Ledger {
         self.made(pattern);
     }
 
-    /// It is not computed: a definition, a date, a rule of thumb. Why it is right stands beside it.
+    /// Adds a pattern that is not computed: a definition, a date, a rule of thumb, with its source.
     pub(super) fn cited(&mut self, pattern: &str, _source: &'static str) {
         self.made(pattern);
     }
@@ -145,7 +145,7 @@ pub(super) fn opposite_limit() -> f64 {
     analysis.checks.iter().find(|check| check.code() == "pdofs-opposite").unwrap().limit
 }
 
-/// Where the answer changes between two values, found by trying.
+/// The value between two others at which the answer changes, found by trial.
 pub(super) fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool) -> f64 {
     assert!(answer(yes) && !answer(no));
     for _ in 0..50 {
@@ -155,7 +155,7 @@ pub(super) fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool)
     yes
 }
 
-/// The closing speed (m/s) and the restitution from which on the program warns of the restitution.
+/// The closing speed (m/s) and the restitution above which the program warns about the restitution.
 pub(super) fn high_restitution() -> [String; 2] {
     let text = page("fixtures/sae-980025-impact.toml").text;
     let speed_line = text.lines().find(|line| line.starts_with("speed")).unwrap();

@@ -79,7 +79,7 @@ fn numbers(file: &CaseFile) -> Table {
     table
 }
 
-/// With the digits of the steps, so that the same number looks the same.
+/// With as many digits as in the steps, so that the same number looks the same.
 fn si(input: &Input) -> String {
     match input.unit {
         Some(unit) => format!("{} {}", digits(input.si()).replace('−', "-"), unit.dimension().si_unit()),

@@ -1,4 +1,4 @@
-//! Where the energy went.
+//! The works of the impact and the energy loss.
 
 use case::Basis;
 use pim_core::Motion;
@@ -31,7 +31,7 @@ impl Collision<'_> {
         steps
     }
 
-    /// The part of both works that the crush takes, if that was sought.
+    /// The part of both works that the crush absorbs, if that was sought.
     fn taken_by_crush(&self) -> Option<Step> {
         let Basis::TangentialShare(share) = self.analysis.basis else { return None };
         let found = self.analysis.found.as_ref()?;

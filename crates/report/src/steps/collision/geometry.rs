@@ -1,4 +1,4 @@
-//! Where the vehicles touch, and the inverse mass at C.
+//! The contact of the vehicles, and the inverse mass at C.
 
 use case::{Axes, ContactPoint, Quantity};
 use crash3::{EnergyMoments, Side, SideStiffness, Stiffness};

@@ -45,7 +45,7 @@ impl Collision<'_> {
             steps.push(self.ratio());
         } else {
             steps.extend(self.critical_ratio());
-            // The two components at once, where the law has a condition on U_t.
+            // The two components at once, if the law has a condition on U_t.
             let sliding = self.impact.outcome.regime == Some(Regime::Sliding);
             let components = match self.impact.law.tangential() {
                 Tangential::Restitution(e_t) => Some(self.by_restitution(e_t)),
@@ -115,7 +115,7 @@ impl Collision<'_> {
         ))
     }
 
-    /// P_n and P_t, as the law's conditions give them.
+    /// P_n and P_t from the conditions of the law.
     fn components(&self, [normal, along]: Components) -> [Step; 2] {
         let impulse = self.impact.outcome.impulse;
         [("normal", "P_n", normal, impulse.normal), ("tangential", "P_t", along, impulse.tangential)].map(

@@ -136,8 +136,8 @@ impl Collision<'_> {
     fn pdof(&self, k: VehicleId) -> Step {
         let vector = self.impact.outcome.impulse_vector;
         let (theta, x, y) = (angle(heading(self.case, k)), n(vector.x, "N·s"), n(vector.y, "N·s"));
-        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the
-        // left, which in z-down axes is −y.
+        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: the relevant component is the one to
+        // the left, which in z-down axes is −y.
         let (left, left_numbers) = if (k == VehicleId::One) == (self.case.axes == Axes::ZUp) {
             (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
         } else {
@@ -160,8 +160,8 @@ impl Collision<'_> {
     }
 }
 
-/// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in symbols, those of the velocities and
-/// yaw rates given, and in numbers.
+/// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in the given symbols of the velocities
+/// and yaw rates, and in numbers.
 pub(in super::super) fn relative(
     axis: &str,
     [v, w]: [&str; 2],

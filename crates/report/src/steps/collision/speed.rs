@@ -28,7 +28,7 @@ struct Slide {
 }
 
 impl Collision<'_> {
-    /// The speed found: in closed form where the reader can follow that, else as a value that the work of the
+    /// The speed found: in closed form if the reader can follow that, else as a value that the work of the
     /// normal impulse below confirms.
     pub(super) fn speed(&self, found: &Found) -> Vec<Step> {
         let unsolved = || vec![self.solved(found, "", String::new())];
@@ -84,7 +84,7 @@ impl Collision<'_> {
         self.impact.law.acting(outcome.regime, outcome.impulse_ratio)
     }
 
-    /// `None` under a law whose closed form is not written out.
+    /// `None` under a law whose closed form the report does not write out.
     fn push(&self, line: &ApproachLine) -> Option<Push> {
         let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
         if law.has_moment() {
@@ -126,7 +126,7 @@ impl Collision<'_> {
         })
     }
 
-    /// `None` under a law whose closed form is not written out.
+    /// `None` under a law whose closed form the report does not write out.
     fn slide(&self, line: &ApproachLine, affine: &AffineImpact) -> Option<Slide> {
         let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
         let e = law.restitution();

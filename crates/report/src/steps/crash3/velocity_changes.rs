@@ -45,7 +45,7 @@ pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
     steps
 }
 
-/// h, from the contact point or the centroid if it follows from that.
+/// h, from the contact point or the centroid if it follows from one of them.
 fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Step {
     let (vehicle, arm) = (&analysis.vehicles[k.index()], crash3.moment_arm[k.index()]);
     // Across the force, which comes from the PDOF, clockwise in any axes.
@@ -137,7 +137,7 @@ fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
     vehicles.iter().map(of_vehicle).collect()
 }
 
-/// ΔV of each vehicle with the restitution of the impact, where that is known and not 1.
+/// ΔV of each vehicle with the restitution of the impact, if that is known and not 1.
 fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delta_v: [f64; 2]) -> Vec<Step> {
     let e = analysis.impact.as_ref().map(|impact| n(impact.law.restitution(), ""));
     let (Some(factor), Some(e)) = (crash3.restitution_factor, e) else { return Vec::new() };

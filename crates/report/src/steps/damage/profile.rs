@@ -61,7 +61,7 @@ fn squares([c1, c2]: [f64; 2]) -> String {
     format!("{}² + {} · {} + {}²", p(c1, "m"), n(c1, "m"), n(c2, "m"), p(c2, "m"))
 }
 
-/// Zone by zone, where the stiffness differs or its limit is reached.
+/// Zone by zone, if the stiffness differs along the side or its limit is reached.
 pub(super) fn zone_by_zone(
     zones: impl Iterator<Item = (Zone, Stiffness)>,
     energy: f64,

@@ -24,12 +24,12 @@ pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: VehicleI
                 of_line(stiffness, line, &format!("{i},{j}"), &format!("vehicle {i}, zone {j}"))
             })
             .collect(),
-        // Each zone has a line of its own, and nothing else has zones.
+        // Does not occur: each zone has a line of its own, and no other form has zones.
         (SideStiffness::Zones(_), _) | (_, StiffnessForm::Zones(_)) => Vec::new(),
     }
 }
 
-/// A, B and G, from d_0 and d_1 where the file gives those.
+/// A, B and G, from d_0 and d_1 if the file gives those.
 fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) -> Vec<Step> {
     let of = |what: &str| format!("stiffness {what} of {whose}");
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
