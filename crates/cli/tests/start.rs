@@ -117,8 +117,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                     assert!(low <= true_speed && true_speed <= high, "{template}: {interval}");
                 }
             }
-            // A full report samples the search back from rest, too slowly for this test. It is the same in both
-            // systems.
+            // A full report samples the search back from rest, too slowly for this test.
             for written in ["text", "html", "markdown"] {
                 if neither.is_some() || (units == "us" && written != "markdown") {
                     continue;
