@@ -46,7 +46,7 @@ const commands = {
     "\"New case…\"": "new",
 };
 // The page has no texts that these commands would print.
-const withoutPointers = text => text.replaceAll(/; `deltav explain [a-z ]+` tells more| \(see `deltav explain class`\)/g, "");
+const withoutPointers = text => text.replaceAll(/; `deltav explain [a-z ]+` says more| \(see `deltav explain class`\)/g, "");
 const withCommands = text =>
     Object.entries(commands).reduce((text, [words, name]) => text.replaceAll(words, `\`deltav ${name}\``), text);
 

@@ -41,7 +41,8 @@ pub struct ImpactSpeedErrors {
     /// last one that came.
     pub latency: f64,
     /// (1) probability that a last speed that fell by more than `g` allows is not that of the vehicle before
-    /// the impact: 0.5. It is then slip, or the impact itself, and the sample before it counts.
+    /// the impact: 0.5 where no tyre allows it (1.2 g), and less down to `g`. It is then slip, or the impact
+    /// itself, and the sample before it counts.
     pub last_is_of_impact: f64,
 }
 
@@ -131,6 +132,8 @@ pub struct SteepFall {
     /// Whether several samples are that low: the wheels slipped, or locked, long before the impact. The last
     /// one alone may be of the impact itself.
     pub is_slip: bool,
+    /// (1) probability that the sample before the fall counts, not the last one.
+    pub probability: f64,
 }
 
 /// The speed at t = 0.
@@ -440,22 +443,43 @@ pub struct SampleSpeed {
     pub sd: f64,
 }
 
-/// The first of the samples at the end whose speeds are all lower than 1 g from the sample before them
-/// allows.
-fn first_fallen(points: &[(&PreCrashSample, f64)], step: f64) -> Option<usize> {
-    let limits = SpeedLimits::stored_in(step);
-    let is_below = |(one, first): (&PreCrashSample, f64), (other, later): (&PreCrashSample, f64)| {
-        later < first && limits.beyond(other.time - one.time, later - first).is_some()
-    };
-    (1..points.len()).find(|k| points[*k..].iter().all(|later| is_below(points[k - 1], *later)))
+/// (m/s²) 1.2 g: no tyre slows a vehicle by more. The manual of EDCRASH lists friction of at most 1.00 above
+/// 48 km/h, on new dry asphalt or concrete, and of at most 1.20 below.
+const BEYOND_TYRES: f64 = 1.2 * GRAVITY;
+
+/// Samples at the end whose speeds are all lower than 1 g from the sample before them allows.
+struct Fallen {
+    /// The place of the first.
+    first: usize,
+    /// (1) the probability that no tyre does this: from 0 at 1 g to 1 at [`BEYOND_TYRES`].
+    probability: f64,
+}
+
+impl Fallen {
+    fn of(points: &[(&PreCrashSample, f64)], step: f64) -> Option<Self> {
+        let limits = SpeedLimits::stored_in(step);
+        // (m/s²) the least deceleration, however the two speeds were rounded, if it is beyond the limit.
+        let least = |(one, first): (&PreCrashSample, f64), (other, later): (&PreCrashSample, f64)| {
+            let time = other.time - one.time;
+            let is_below = later < first && limits.beyond(time, later - first).is_some();
+            is_below.then(|| (first - later - step) / time)
+        };
+        (1..points.len()).find_map(|k| {
+            let later = points[k..].iter().map(|later| least(points[k - 1], *later));
+            let least = later.reduce(|one, other| Some(one?.min(other?))).flatten()?;
+            let probability = ((least - GRAVITY) / (BEYOND_TYRES - GRAVITY)).clamp(0.0, 1.0);
+            Some(Self { first: k, probability })
+        })
+    }
 }
 
 /// The speed of the vehicle at each sample that has one, the earliest first. If several samples at the end
 /// show slipping wheels, only those before them count. The effect of the age of a stored speed is ignored.
 fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpeed> {
     let mut points: Vec<_> = record.speeds().collect();
-    if let Some(fallen) = first_fallen(&points, errors.step).filter(|fallen| fallen + 1 < points.len()) {
-        points.truncate(fallen);
+    let fallen = Fallen::of(&points, errors.step).filter(|fallen| fallen.first + 1 < points.len());
+    if let Some(fallen) = fallen.filter(|fallen| fallen.probability > 0.5) {
+        points.truncate(fallen.first);
     }
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
         // The first is judged by the one after it.
@@ -539,13 +563,14 @@ impl ImpactSpeed {
         let deceleration = fall(end);
         let mut legs = vec![(1.0, leg(end))];
         let mut steep_fall = None;
-        if let Some(fallen) = first_fallen(&points, errors.step) {
-            let (sample, speed) = points[fallen - 1];
+        if let Some(Fallen { first, probability }) = Fallen::of(&points, errors.step) {
+            let (sample, speed) = points[first - 1];
             let deceleration = (speed - stored) / (last.time - sample.time);
-            let is_slip = fallen < end;
-            steep_fall = Some(SteepFall { deceleration, time: sample.time, speed, is_slip });
-            let doubt = if is_slip { 1.0 } else { errors.last_is_of_impact };
-            legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(fallen - 1))];
+            let is_slip = first < end;
+            let doubt = probability * if is_slip { 1.0 } else { errors.last_is_of_impact };
+            steep_fall =
+                Some(SteepFall { deceleration, time: sample.time, speed, is_slip, probability: doubt });
+            legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(first - 1))];
         }
         let parts = parts(&legs, errors);
         let draws = draws(&legs, errors);

@@ -136,6 +136,7 @@ fn speed(speed: &ImpactSpeed) -> Value {
             "deceleration": fall.deceleration,
             "time": fall.time,
             "speed": fall.speed,
+            "probability": fall.probability,
         })),
     })
 }

@@ -287,18 +287,15 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     if let Some(speed) = &found.speed {
         page.push(account(speed, found, units));
         if let Some(fall) = &speed.steep_fall {
-            let means = if fall.is_slip {
-                "Several samples are that low, so the wheels slipped or locked long before the impact: the earlier speed \
-                 counts."
-                    .to_owned()
+            let why = if fall.is_slip {
+                "Several samples are that low, so the wheels may have slipped or locked long before the impact."
             } else {
-                format!(
-                    "The wheels slipped, or the sample is of the impact itself. Both are weighed, the latter with {} %.",
-                    number(100.0 * found.errors.last_is_of_impact, 0)
-                )
+                "The wheels may have slipped, or the sample is of the impact itself."
             };
+            let share = number(100.0 * fall.probability, 0);
             page.paragraph(format!(
-                "The last speed is {} below that of {} s, a deceleration of {} g, which no tyre gives. {means}",
+                "The last speed is {} below that of {} s, a deceleration of {} g. Few tyres slow a vehicle by more than 1 g, none by more \
+                 than 1.2 g. {why} The earlier speed counts with {share} %, the last one with the rest.",
                 units.format(Measure::RoadSpeed, fall.speed - speed.stored),
                 number(fall.time, 2),
                 number(fall.deceleration / 9.80665, 2),
