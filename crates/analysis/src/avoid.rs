@@ -20,6 +20,7 @@ use inputs::{
     Find, OffLine, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
+use reconcile::COLLINEAR;
 use recorder::ImpactSpeed;
 use time_distance::Response;
 
@@ -107,7 +108,7 @@ pub struct Avoidance {
     /// What the solution that gives the speed warns of; without one, what speaks against the marks.
     pub speed_warnings: Vec<SeenWarning>,
     /// How far from one line both vehicles moved, where that is so little that the place of the impact, which
-    /// is taken as fixed, is not.
+    /// is taken as fixed, is not, or so much that the motion along one line is an approximation.
     pub nearly_along: Option<OffLine>,
     /// (m/s) speeds of the other vehicle at the impact that contradict each other: by the demand, and by the
     /// rest of the case.
@@ -278,6 +279,8 @@ pub fn avoid(
     plan: &AvoidPlan,
     progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Avoidance, Failure> {
+    let uncertain = VehicleId::ALL.into_iter().filter_map(|id| warning::of_records(case, id));
+    let uncertain: Vec<SeenWarning> = uncertain.map(|warning| warning.seen(case.axes)).collect();
     // Of several records of a recorder, that of this impact tells how the vehicle came.
     let case = &*with_records_of_impact(case).0;
     let form = case.avoidance()?;
@@ -285,7 +288,9 @@ pub fn avoid(
         SpeedForm::Sought => Some(Arc::new(Told::of(case, form.vehicle, plan, progress)?)),
         SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => None,
     };
-    found(case, &form, told, Some(plan))
+    let mut found = found(case, &form, told, Some(plan))?;
+    found.speed_warnings.extend(uncertain);
+    Ok(found)
 }
 
 /// The answer, once the speed is known. Without a plan, nothing is sampled.
@@ -342,8 +347,11 @@ fn found(
         }
     };
     let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
-    let is_fixed = scene.same_line.is_none() && !stands(case, form, other);
-    let nearly_along = case.off_the_line().filter(|off| is_fixed && off.angle <= NEARLY_ALONG);
+    let is_near = |off: &OffLine| match &scene.same_line {
+        Some(_) => off.angle > ALONG,
+        None => off.angle <= NEARLY_ALONG && !stands(case, form, other),
+    };
+    let nearly_along = case.off_the_line().filter(is_near);
     let other_speeds = other_speeds(case, form, scene.same_line.as_ref(), other);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
@@ -671,6 +679,9 @@ fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
 /// (rad) 30°. Vehicles whose lines enclose no more move along with each other, or towards each other, rather
 /// than across: half of that is lost, sin 30°, at most.
 pub const NEARLY_ALONG: f64 = FRAC_PI_6;
+
+/// (rad) 5°. Where the lines of both enclose more, but count as one, the answer says so.
+const ALONG: f64 = 0.5 * COLLINEAR;
 
 /// Speeds at the impact that differ by this share of the greater one contradict each other, as few ranges
 /// are wider.

@@ -342,7 +342,21 @@ pub fn estimate(
         Some(widest.high.value)
     });
     estimated.warnings.extend(below);
+    // A vehicle that was backing looks like one that was stationary, against the other evidence.
+    let is_contradicted = !estimated.with_agreement(Agreement::Contradicts).is_empty();
+    let stood = |id: VehicleId| estimated.stood[id.index()].is_some_and(|stood| stood.after.value >= 0.5);
+    let backed =
+        VehicleId::ALL.into_iter().filter(|id| is_contradicted && stood(*id) && !may_back(case, *id));
+    let backed = backed.map(|vehicle| Warning::MayHaveBacked { vehicle, speed: None });
+    estimated.warnings.extend(backed.collect::<Vec<_>>());
     Ok(estimated)
+}
+
+/// Whether the case allows that a vehicle was backing.
+pub(crate) fn may_back(case: &Case, id: VehicleId) -> bool {
+    let vehicle = &case.vehicles[id.index()];
+    let at_least = vehicle.certain_speed.and_then(|certain| certain.at_least);
+    vehicle.fixed || vehicle.motion.is_some() || at_least.is_some_and(|least| least.si() < 0.0)
 }
 
 impl There<'_> {

@@ -9,7 +9,9 @@ use pim_core::VehicleId;
 
 use crate::analysis::Analysis;
 use crate::check::{Check, CheckedQuantity};
-use crate::estimate::{EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence};
+use crate::estimate::{
+    EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence, may_back,
+};
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::failure::Failure;
 use crate::given::GivenSpeed;
@@ -28,13 +30,18 @@ impl Seen {
 
 fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
     checks.iter().filter(|check| {
-        let is_evidence = matches!(
-            check.quantity,
+        let refutes = match check.quantity {
             CheckedQuantity::MomentumYawRate { .. }
-                | CheckedQuantity::MomentumEnergy { .. }
-                | CheckedQuantity::MomentumAcross { .. }
-        );
-        is_evidence && !check.passed()
+            | CheckedQuantity::MomentumEnergy { .. }
+            | CheckedQuantity::MomentumAcross { .. }
+            | CheckedQuantity::PossibleRestitution { .. } => true,
+            // Under no impact law is it below 0 or above 1.
+            CheckedQuantity::MomentumRestitution { implied, .. } => {
+                (implied - 1.0).max(-implied) > check.limit
+            }
+            _ => false,
+        };
+        refutes && !check.passed()
     })
 }
 
@@ -88,8 +95,8 @@ impl Analysis {
         }
     }
 
-    /// The checks that refute this exact solution: those that compare it with evidence, and not with the
-    /// coefficients of the impact law, which are assumed.
+    /// The checks that refute this exact solution: those that compare it with evidence or with what is possible
+    /// at all, and not with the coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
         refuting(&self.checks)
     }
@@ -163,8 +170,17 @@ pub fn weigh(
     progress: &mut (dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Option<Weighed>, Failure> {
     let Some(why) = exact.overdetermined() else { return Ok(None) };
-    let estimated = estimate(case, plan, progress)?;
+    let mut estimated = estimate(case, plan, progress)?;
     let solutions = solutions(case, exact, &estimated);
+    for vehicle in VehicleId::ALL.into_iter().filter(|id| !may_back(case, *id)) {
+        let speeds = solutions.iter().filter_map(|solution| solution.speeds[vehicle.index()]);
+        if let Some(speed) = speeds.filter(|speed| *speed < BACKS).min_by(f64::total_cmp) {
+            let is_told =
+                |warning: &Warning| warning.vehicle() == Some(vehicle) && warning.code() == "may-have-backed";
+            estimated.warnings.retain(|warning| !is_told(warning));
+            estimated.warnings.push(Warning::MayHaveBacked { vehicle, speed: Some(speed) });
+        }
+    }
     Ok(Some(Weighed { why, plan: *plan, estimated, solutions }))
 }
 
@@ -187,6 +203,9 @@ impl Weighed {
         self.estimated.no_answer().is_none()
     }
 }
+
+/// (m/s) an exact solution that is slower than this did not just round a stop: -2 m/s, as fast as a walk.
+const BACKS: f64 = -2.0;
 
 /// The exact solutions: the one that the analysis details, and those by other parts of the evidence.
 fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Solution> {

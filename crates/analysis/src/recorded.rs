@@ -188,6 +188,24 @@ pub(crate) fn with_records_of_impact(case: &Case) -> (Cow<'_, Case>, Vec<String>
     (chosen, aside)
 }
 
+/// (1) a record is used without a word if it is of the impact with this probability, or a greater one.
+const CERTAIN: f64 = 0.9;
+
+/// If it is not certain which of several records is of the impact: the number of the one that is used, if one
+/// is, and (1) the probability of that one, or the greatest of all.
+pub(crate) fn uncertain_record(case: &Case, vehicle: VehicleId) -> Option<(Option<usize>, f64)> {
+    let recorder = case.vehicles[vehicle.index()].recorder.as_ref()?;
+    if recorder.records.is_empty() {
+        return None;
+    }
+    let records = records(case, vehicle, recorder);
+    let taken = records.iter().find(|(_, record)| record.is_taken);
+    let used = taken.and_then(|(_, record)| record.number);
+    let greatest = records.iter().map(|(_, record)| record.probability).fold(0.0, f64::max);
+    let probability = taken.map_or(greatest, |(_, record)| record.probability);
+    (probability < CERTAIN).then_some((used, probability))
+}
+
 /// (m/s) 5 km/h: the direction of a smaller ΔV depends mainly on its rounding to 1 km/h.
 const LEAST_OF_DIRECTION: f64 = 5.0 / 3.6;
 

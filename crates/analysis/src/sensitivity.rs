@@ -2,7 +2,7 @@
 
 use crash3::{ObliqueCorrection, principal_angle};
 use inputs::{Axes, Case, Dimension, EstimatedInput, GivenVehicle, Input, Origin};
-use pim_core::ImpactError;
+use pim_core::{ImpactError, Vector2, VehicleId};
 use real::Gradient;
 
 use crate::analysis::Analysis;
@@ -12,6 +12,7 @@ use crate::goal::{self, Goal, Known};
 use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::solve;
+use crate::speeds::BothMethod;
 use crate::vehicle::Vehicle;
 use crate::warning::Warning;
 
@@ -168,11 +169,14 @@ pub const MOST_BY_DEGREE: f64 = 0.1;
 pub const LEAST_BY_DEGREE: f64 = 1.0;
 
 /// Warns of the angle without a range on which a speed that was found depends most, if one degree changes it
-/// considerably. Cases with paths to rest are exempt: their speeds follow from lengths.
+/// considerably.
 pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning> {
-    let is_found = analysis.found.is_some() || analysis.both.is_some();
-    if !is_found || analysis.travel.iter().any(Option::is_some) {
+    if analysis.found.is_none() && analysis.both.is_none() {
         return None;
+    }
+    // Derivatives through a search back from rest take long, and the impact passes on only its directions.
+    if analysis.travel.iter().any(Option::is_some) {
+        return hangs_on_direction(case, analysis);
     }
     let is_exact = |derivative: &Derivative| {
         let input = &derivative.input;
@@ -181,13 +185,61 @@ pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning
     };
     let derivatives = derivatives(case, analysis).ok()?.into_iter();
     let of_speeds = derivatives.filter(|derivative| derivative.output.is(&SPEED) && is_exact(derivative));
-    let by_degree = |derivative: &Derivative| (derivative.value * DEGREE).abs();
-    let most = of_speeds.max_by(|a, b| by_degree(a).total_cmp(&by_degree(b)))?;
-    let (change, speed) = (by_degree(&most), most.output_value);
-    if change <= LEAST_BY_DEGREE || change <= MOST_BY_DEGREE * speed.abs() {
-        return None;
+    let of_degree = of_speeds.filter_map(|derivative| {
+        let change = (derivative.value * DEGREE).abs();
+        Some((derivative.output.vehicle()?, derivative.input.path, change, derivative.output_value))
+    });
+    most_by_degree(of_degree)
+}
+
+/// The warning of the greatest of some changes (m/s) of a speed (m/s) by one degree.
+fn most_by_degree(changes: impl Iterator<Item = (VehicleId, String, f64, f64)>) -> Option<Warning> {
+    let (vehicle, path, change, speed) = changes.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let is_large = change > LEAST_BY_DEGREE && change > MOST_BY_DEGREE * speed.abs();
+    is_large.then_some(Warning::HangsOnAngle { vehicle, path, change, speed })
+}
+
+/// As [`hangs_on_angle`], for speeds by momentum alone, and the headings and the directions in which the
+/// vehicles left the impact towards their rests.
+fn hangs_on_direction(case: &Case, analysis: &Analysis) -> Option<Warning> {
+    let both = analysis.both.as_ref().filter(|both| both.method == BothMethod::Momentum)?;
+    let [Some(one), Some(two)] = case.courses() else { return None };
+    let courses = [one, two];
+    let masses = both.momentum.contact.participants().map(|participant| participant.body().mass());
+    let after = [0, 1].map(|i| both.momentum.after[i].velocity * masses[i]);
+    // m₁ v₁ e₁ + m₂ v₂ e₂ = m₁ V₁ + m₂ V₂
+    let speeds = |[one, two]: [f64; 2], [first, second]: [Vector2<f64>; 2]| {
+        let [one, two] = [one, two].map(|angle| {
+            let (sin, cos) = real::elementary::sin_cos(angle);
+            Vector2::new(cos, sin)
+        });
+        let (total, across) = (first + second, one.perp(&two));
+        [total.perp(&two) / (masses[0] * across), one.perp(&total) / (masses[1] * across)]
+    };
+    let turned = |by: Vector2<f64>| by + Vector2::new(-by.y, by.x) * DEGREE;
+    let is_exact = |path: &str| !case.ranges.iter().any(|range| range.path.starts_with(path));
+    let (found, mut changes) = (speeds(courses, after), Vec::new());
+    for id in VehicleId::ALL {
+        let (mut headings, mut momenta) = (courses, after);
+        headings[id.index()] += DEGREE;
+        momenta[id.index()] = turned(after[id.index()]);
+        let departs = if case.vehicles[id.index()].after.as_ref().is_some_and(|after| after.rest.is_some()) {
+            "after.rest"
+        } else {
+            "after.direction"
+        };
+        for (key, changed) in [("heading", speeds(headings, after)), (departs, speeds(courses, momenta))] {
+            let path = format!("vehicle{id}.{key}");
+            if !is_exact(&path) {
+                continue;
+            }
+            for of in VehicleId::ALL {
+                let change = (changed[of.index()] - found[of.index()]).abs();
+                changes.push((of, path.clone(), change, both.speeds[of.index()]));
+            }
+        }
     }
-    Some(Warning::HangsOnAngle { vehicle: most.output.vehicle()?, path: most.input.path, change, speed })
+    most_by_degree(changes.into_iter())
 }
 
 /// Each output, and its derivatives by all variables of the case (SI per SI).

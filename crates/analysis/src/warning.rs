@@ -18,6 +18,7 @@ use crate::exchange::Exchange;
 use crate::found::Found;
 use crate::given::GivenSpeed;
 use crate::impact::Impact;
+use crate::recorded::uncertain_record;
 use crate::speeds::BothFound;
 use crate::thresholds::{DELTA_V_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::travel::{Pass, Travel};
@@ -351,6 +352,22 @@ pub enum Warning {
         /// and in the opposite direction.
         sides: [JumpSide; 2],
     },
+    /// Which of the records of a recorder is of the impact is not certain.
+    RecordUncertain {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// The number of the record that is used, from 1; `None` if none is.
+        used: Option<usize>,
+        /// (1) the probability that it is of the impact, or the greatest of all records.
+        probability: f64,
+    },
+    /// An estimate excludes that a vehicle was backing, but the evidence suggests it.
+    MayHaveBacked {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (m/s) its speed by an exact solution, if one is negative.
+        speed: Option<f64>,
+    },
     /// One degree of an angle without a range considerably changes a speed that was found.
     HangsOnAngle {
         /// The vehicle with that speed.
@@ -553,6 +570,8 @@ impl Warning {
         DeltaVDiffers => "delta-v-differs",
         SeveralSpeeds => "several-speeds",
         MovesBackward { vehicle } => "moves-backward",
+        MayHaveBacked { vehicle } => "may-have-backed",
+        RecordUncertain { vehicle } => "record-uncertain",
         ClassValues { vehicle } => "class-values",
         BurgInertia { vehicle } => "burg-inertia",
         InferredEnergy { vehicle } => "inferred-energy",
@@ -820,6 +839,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         of_skid(case, id, warnings);
         of_wreck(case, id, warnings);
         of_grade(case, id, warnings);
+        warnings.extend(of_records(case, id));
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
@@ -836,6 +856,12 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     {
         warnings.push(Warning::UnusualFriction { friction });
     }
+}
+
+/// Warns of a recorder with several records, if it is not certain which of them is of the impact.
+pub(crate) fn of_records(case: &Case, vehicle: VehicleId) -> Option<Warning> {
+    let (used, probability) = uncertain_record(case, vehicle)?;
+    Some(Warning::RecordUncertain { vehicle, used, probability })
 }
 
 fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {

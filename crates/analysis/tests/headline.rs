@@ -214,3 +214,78 @@ fn a_solution_that_differs_from_a_given_velocity_says_so() {
     assert!(speed.contains(&(Some(-3.0), false)) && !speed.iter().any(|(_, outside)| *outside), "{speed:?}");
     assert_eq!(differs("velocity = { x = \"-3 m/s\", y = \"0 m/s\" }"), speed);
 }
+
+/// Backing at 18 km/h out of a driveway, by the impulse equations with e = 0.1 and no sliding. An estimate
+/// takes it as stationary, and says what allows that it backed.
+#[test]
+fn a_vehicle_that_backed_is_asked_about() {
+    let text = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "0 deg"
+contact = { x = "2 m", y = "0.3 m" }
+crush = { ees = "7.525902 m/s" }
+after = { speed = "8.240047 m/s", direction = "-9.226291 deg", yaw_rate = "-0.144058 rad/s" }
+[vehicle2]
+mass = "1300 kg"
+yaw_radius = "1.3 m"
+heading = "90 deg"
+contact = { x = "0.3 m", y = "0.8 m" }
+crush = { ees = "8.084116 m/s" }
+after = { speed = "9.719460 m/s", direction = "-20.952275 deg" }
+[impact]
+crush_plane = "0 deg"
+restitution = 0.1
+tangential = { friction = 0.5 }
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#;
+    let told = |text: &str| {
+        let case = read(text);
+        let exact = reconstruct(&case).unwrap();
+        assert!((exact.speed(VehicleId::Two) + 5.0).abs() < 1e-3);
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let weighed = weigh(&case, &exact, &PLAN, quietly).unwrap().unwrap();
+        let warnings = weighed.estimated.warnings.into_iter();
+        warnings.filter(|warning| warning.code() == "may-have-backed").collect::<Vec<_>>()
+    };
+    let [Warning::MayHaveBacked { vehicle: VehicleId::Two, speed: Some(speed) }] = told(text)[..] else {
+        panic!("{:?}", told(text))
+    };
+    assert!((speed + 5.0).abs() < 1e-3, "{speed}");
+    let allowed =
+        text.replacen("[vehicle2]\n", "[vehicle2]\ncertain_speed = { at_least = \"-40 km/h\" }\n", 1);
+    assert_eq!(told(&allowed), []);
+}
+
+/// A restitution of 1.6 is possible under no law, so such a solution is not the answer: velocities after the
+/// impact by the impulse equations with it, and μ = 0.1.
+#[test]
+fn an_impossible_restitution_refutes_a_solution() {
+    let text = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "0 deg"
+contact = { x = "2 m", y = "0.3 m" }
+after = { speed = "2.558651630755563 m/s", direction = "141.30247551133755 deg", yaw_rate = "4.080846594973392 rad/s" }
+[vehicle2]
+mass = "1300 kg"
+yaw_radius = "1.3 m"
+heading = "90 deg"
+contact = { x = "0.3 m", y = "0.8 m" }
+after = { speed = "19.45690975324331 m/s", direction = "18.439252906885848 deg", yaw_rate = "-2.4028143628846514 rad/s" }
+[impact]
+crush_plane = "0 deg"
+restitution = 0.1
+tangential = { friction = 0.5 }
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#;
+    let exact = reconstruct(&read(text)).unwrap();
+    let [one, two] = VehicleId::ALL.map(|id| exact.speed(id));
+    assert!((one - 14.0).abs() < 1e-6 && (two - 8.0).abs() < 1e-6, "{one} {two}");
+    let codes: Vec<_> = exact.overdetermined().unwrap().refuted_by.iter().map(|check| check.code()).collect();
+    assert_eq!(codes, ["momentum-restitution"]);
+}

@@ -329,6 +329,24 @@ fn an_estimate_uses_the_record_of_the_impact_alone() {
     assert_eq!(other, ["vehicle1.recorder.records[1]"]);
 }
 
+/// Records of 50 and 30 km/h that are of the impact with nearly the same probability: the answer says so.
+#[test]
+fn a_record_that_is_hardly_more_likely_is_told() {
+    let told = |file: &CaseFile| {
+        let warnings = judge(&file.case).warnings;
+        let uncertain = warnings.iter().find_map(|warning| match warning {
+            Warning::RecordUncertain { vehicle, used, probability } => Some((*vehicle, *used, *probability)),
+            _ => None,
+        });
+        uncertain.map(|(vehicle, used, probability)| (vehicle, used, (100.0 * probability).round()))
+    };
+    // 0.09/0.19 each
+    let alike = head_on("records = [{ speed = \"50 km/h\" }, { speed = \"30 km/h\" }]");
+    assert_eq!(told(&alike), Some((VehicleId::One, None, 47.0)));
+    assert_eq!(told(&head_on("records = [{ speed = \"50 km/h\" }]")), None);
+    assert_eq!(told(&head_on("speed = \"50 km/h\"")), None);
+}
+
 /// Nothing distinguishes the records: each is of the impact with 0.09/0.19, and none is used.
 #[test]
 fn where_nothing_tells_records_apart_none_is_used() {

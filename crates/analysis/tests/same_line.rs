@@ -196,6 +196,41 @@ fn a_vehicle_that_backs_comes_nearer() {
     assert_eq!(backs.scene.same_line.as_ref().unwrap().along, Along::Oncoming);
     let [flees, leads] = [of(180.0, -3.0), of(0.0, 3.0)];
     assert_eq!(flees.scene, leads.scene);
+    // Its phases are those of the way that it takes.
+    let phase = "[[vehicle2.before.phase]]\ntime = \"1 s\"\nacceleration = \"-2 m/s^2\"\n";
+    let of = |heading: f64, speed: f64| {
+        asked(&text([0.0, heading], [15.0, speed], [""; 2], &format!("{avoid}{phase}"))).unwrap()
+    };
+    let [backs, comes] = [of(0.0, -3.0), of(180.0, 3.0)];
+    assert_eq!(backs.scene, comes.scene);
+    assert!((backs.scene.same_line.as_ref().unwrap().at(0.0).speed + 5.0).abs() < 1e-9);
+}
+
+/// From 5° on, a motion along one line is an approximation that the answer tells.
+#[test]
+fn directions_near_the_limit_of_one_line_are_told() {
+    let avoid = "limit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                 demand = { distance = \"30 m\" }\nunbraked = true\n";
+    let of = |heading: f64| asked(&text([0.0, heading], [15.0, 3.0], [""; 2], avoid)).unwrap();
+    for (heading, told) in [(4.9, None), (5.1, Some(5.1)), (-9.5, Some(9.5)), (171.0, Some(9.0))] {
+        let found = of(heading);
+        assert!(found.scene.same_line.is_some());
+        let angle = found.nearly_along.map(|off| (10.0 * off.angle.to_degrees()).round() / 10.0);
+        assert_eq!(angle, told, "{heading}");
+    }
+}
+
+/// Phases that begin after the demand say nothing of the time before.
+#[test]
+fn a_motion_that_is_known_only_later_is_told() {
+    let avoid = "limit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                 demand = { time = \"3 s\" }\n[[vehicle1.before.phase]]\ntime = \"2 s\"\nacceleration = \"-1 m/s^2\"\n";
+    let begins = |demand: &str| {
+        let avoid = avoid.replace("3 s", demand);
+        let found = asked(&text([0.0, 90.0], [15.0, 3.0], [""; 2], &avoid)).unwrap();
+        found.scene.begins().unwrap()
+    };
+    assert!((begins("3 s") - 1.0).abs() < 1e-12 && begins("2 s") <= 1e-12 && begins("1 s") < 0.0);
 }
 
 /// A car waiting at a light, which by a solution rolls back at walking pace, counts as standing: it does not

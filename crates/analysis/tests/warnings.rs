@@ -646,3 +646,57 @@ fn an_answer_that_hangs_on_a_degree_is_told() {
     assert_eq!(raised(analysis::reconstruct, &overtaking(ranged, plane), "hangs-on-angle"), []);
     assert_eq!(raised(analysis::reconstruct, PAPER, "hangs-on-angle"), []);
 }
+
+/// A car of 1200 kg and a truck of 16 t that rolls on: one degree of the truck's way turns its momentum by
+/// 16,000 · V · π/180, which the car's speed has to make good.
+#[test]
+fn a_speed_by_rests_that_hangs_on_a_degree_is_told() {
+    let text = |mass: &str| {
+        format!(
+            r#"
+[scene]
+contact = {{ x = "0 m", y = "0 m" }}
+[surface]
+friction = 0.7
+[vehicle1]
+mass = "1200 kg"
+yaw_radius = "1.35 m"
+heading = "90 deg"
+wheelbase = "2.7 m"
+track = "1.5 m"
+contact = {{ x = "2 m", y = "0.3 m" }}
+after = {{ speed = "6 m/s", direction = "10 deg", yaw_rate = "0 deg/s" }}
+[vehicle2]
+mass = "{mass}"
+yaw_radius = "2.8 m"
+heading = "0 deg"
+wheelbase = "5.5 m"
+track = "2 m"
+cg_to_front_axle = "2.5 m"
+contact = {{ x = "1 m", y = "-1 m" }}
+after = {{ drag = 0.05, rest = {{ x = "60 m", y = "2.5 m", turned = "1 deg" }} }}
+[impact]
+crush_plane = "90 deg"
+restitution = 0.1
+tangential = {{ friction = 0.5 }}
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#
+        )
+    };
+    let of = |mass: &str| raised(analysis::reconstruct, &text(mass), "hangs-on-angle");
+    let [Warning::HangsOnAngle { vehicle: VehicleId::One, path, change, .. }] = &of("16000 kg")[..] else {
+        panic!("{:?}", of("16000 kg"))
+    };
+    let case = CaseFile::parse("case.toml", &text("16000 kg")).unwrap().case;
+    let both = analysis::reconstruct(&case).unwrap().both.unwrap();
+    let after = both.momentum.after[1].velocity;
+    // One degree of its heading moves as much of its momentum across, m₂ v₂ sin 1°.
+    let by_way = 16_000.0 * after.x * 1_f64.to_radians() / 1200.0;
+    let by_heading = 16_000.0 * both.speeds[1] * 1_f64.to_radians() / 1200.0;
+    let (expected, key) =
+        if by_heading > by_way { (by_heading, "vehicle2.heading") } else { (by_way, "vehicle2.after.rest") };
+    assert_eq!(path, key);
+    assert_close("change", *change, expected, 0.02 * expected);
+    assert_eq!(of("1600 kg"), []);
+}

@@ -141,6 +141,33 @@ fn a_speed_that_falls_by_more_than_g_may_be_of_the_impact() {
     assert_eq!(ImpactSpeed::of(&record(&within), &ImpactSpeedErrors::default()).unwrap().steep_fall, None);
 }
 
+/// From 1 g on, a fall counts the more as slip or impact the steeper it is, up to 1.2 g. Half-way, at 1.1 g, the
+/// last sample counts half: of one, half of the 50 % for the impact; of several, half.
+#[test]
+fn a_fall_of_little_more_than_g_counts_a_little() {
+    let of = |speeds: &[f64]| {
+        let count = i32::try_from(speeds.len()).unwrap();
+        let times = (1 - count..=0).map(|k| 0.5 * f64::from(k));
+        let samples: Vec<_> = times.zip(speeds).map(|(time, speed)| (time, *speed, Some(true))).collect();
+        ImpactSpeed::of(&record(&samples), &ImpactSpeedErrors::default()).unwrap()
+    };
+    // (km/h) in half a second, with a step for the rounding
+    let fall = |g: f64| 1.0 + g * 9.806_65 * 0.5 * 3.6;
+    for (g, share) in [(1.001, 0.002_5), (1.05, 0.125), (1.1, 0.25), (1.2, 0.5), (1.5, 0.5)] {
+        let found = of(&[60.0, 58.0, 58.0 - fall(g)]).steep_fall.unwrap();
+        assert!((found.probability - share).abs() < 1e-9 && !found.is_slip, "{g} {found:?}");
+    }
+    for (g, share) in [(1.1, 0.5), (1.2, 1.0)] {
+        let found = of(&[60.0, 80.0, 80.0 - fall(g), 80.0 - (2.0 * fall(g) - 1.0)]).steep_fall.unwrap();
+        assert!((found.probability - share).abs() < 1e-9 && found.is_slip, "{g} {found:?}");
+    }
+    // Hard braking all the way: one kilometre per hour of the last speed makes no other answer.
+    let hard = |last: f64| of(&[100.0, 98.0, 97.0, 80.0, 70.0, 48.0, 32.0, last]);
+    let [slower, faster] = [16.0, 17.0].map(|last| hard(last).mean / KMH);
+    assert!((slower - faster).abs() < 2.0, "{slower} {faster}");
+    assert!(hard(16.0).steep_fall.is_some() && hard(17.0).steep_fall.is_none());
+}
+
 /// Wheels that lock read 0 while the car slides on: from 62 km/h, 1 s of braking at 0 to 0.75 g leaves 35
 /// to 62.
 #[test]

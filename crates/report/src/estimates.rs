@@ -59,7 +59,7 @@ pub(crate) fn median_and_interval(summary: &DrawsSummary, units: Units) -> [Stri
 pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
     let unit = units.name(Measure::RoadSpeed);
     let [median, interval] = median_and_interval(&found.posterior, units);
-    if !found.varies() {
+    if found.is_given && !found.varies() {
         return format!("{median} {unit}, as given");
     }
     let [low, high] = ends(&found.posterior, WIDEST);

@@ -346,6 +346,28 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
              heading",
             speed(*si)
         ),
+        Warning::RecordUncertain { vehicle, used, probability } => {
+            let percent = number(100.0 * probability, 0);
+            match used {
+                Some(record) => format!(
+                    "the recorder of vehicle {vehicle} has several records. The answer takes records[{record}] for that of this impact, but \
+                     the probability of that is only {percent} %: compute it with each record alone as well, and say by \
+                     `other_impacts` what else happened"
+                ),
+                None => format!(
+                    "the recorder of vehicle {vehicle} has several records, and which of them is of this impact is not known (the \
+                     most likely one with {percent} %), so none is used: give `pdof` or the damage, or say by `other_impacts` \
+                     what else happened"
+                ),
+            }
+        }
+        Warning::MayHaveBacked { vehicle, speed: found } => format!(
+            "vehicle {vehicle} may have been backing{}; an estimate excludes that unless the case allows it: if it may have been, write \
+             certain_speed = {{ at_least = \"-30 km/h\" }} in [vehicle{vehicle}]",
+            found.map_or_else(String::new, |found| {
+                format!(", as an exact solution gives it {}", units.road_speed(found))
+            })
+        ),
         Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {
             let mut assumed = Vec::new();
             if let Some(inertia) = yaw_inertia {
@@ -623,11 +645,22 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             if *in_degrees { "check the number" } else { "did you mean deg?" }
         ),
         Warning::HangsOnAngle { vehicle, path, change, speed } => format!(
-            "one degree of `{path}` changes the speed of vehicle {vehicle}, {}, by {}, or {} %; give the angle with its \
-             error, as in {{ value = …, sd = \"2 deg\" }}, so that the interval includes its effect on the speed",
+            "one degree of {} changes the speed of vehicle {vehicle}, {}, by {}, or {} %; {}",
+            if path.ends_with(".rest") {
+                format!("the direction from the impact to `{path}`")
+            } else {
+                format!("`{path}`")
+            },
             units.road_speed(*speed),
             units.road_speed(*change),
-            number(100.0 * change / speed.abs(), 0)
+            number(100.0 * change / speed.abs(), 0),
+            if path.ends_with(".rest") {
+                "so the exact solution hardly determines this speed; `deltav estimate` weighs the rests with their \
+                 errors, and the other evidence with them"
+            } else {
+                "give the angle with its error, as in { value = …, sd = \"2 deg\" }, so that the interval includes its \
+                 effect on the speed"
+            }
         ),
         Warning::NoResidualCrush { vehicle, energy } => format!(
             "all depths of vehicle {vehicle} are zero, so its crush energy of {} comes from G alone; this \

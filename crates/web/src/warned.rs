@@ -35,6 +35,8 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::HighNoDamageSpeed { .. } | Warning::LowNoDamageSpeed { .. } => "crush.stiffness",
         Warning::NoResidualCrush { .. } => "crush.depths",
         Warning::MovesBackward { .. } | Warning::GivenSpeedUnused { .. } => "speed",
+        Warning::MayHaveBacked { .. } => "certain_speed",
+        Warning::RecordUncertain { .. } => "recorder.records",
         Warning::ContactApart { .. } => "position",
         Warning::ClassValues { .. } => "class",
         Warning::BurgInertia { .. } => "yaw_inertia",

@@ -62,6 +62,11 @@ impl Driven {
         Ok((Self(legs.into_iter().map(from_demand).collect()), distance, time))
     }
 
+    /// (s) how long after the demand the motion is known; it is steady until then.
+    pub(super) fn begins(&self) -> f64 {
+        self.0.first().map_or(0.0, |leg| leg.time)
+    }
+
     pub(super) fn at(&self, time: f64) -> Leg {
         Course::new(&self.0).map_or(Leg::at_rest(time, 0.0), |course| course.at(time))
     }

@@ -50,11 +50,10 @@ impl SameLine {
         let known = form.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
         // Phases that begin with a known speed lead to that at the impact.
         let Some(speed) = known.or(form.braking.leads_on().then_some(0.0)) else { return Ok(None) };
-        let is_steady = matches!(form.braking, BrakingForm::Unknown);
-        if speed == 0.0 && is_steady || speed < 0.0 && !is_steady {
+        if speed == 0.0 && matches!(form.braking, BrakingForm::Unknown) {
             return Ok(None);
         }
-        // One that backs comes the other way.
+        // One that backs comes the other way, and its phases are those of that way.
         let (along, speed) = match form.along {
             along if speed >= 0.0 => (along, speed),
             Along::Ahead => (Along::Oncoming, -speed),

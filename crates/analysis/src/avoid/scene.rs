@@ -458,6 +458,12 @@ impl AvoidScene {
         self.as_if_steady(self.speed, f64::INFINITY)[0]
     }
 
+    /// (s) how long after the demand its motion is known, if phases or a recorder tell it.
+    #[must_use]
+    pub fn begins(&self) -> Option<f64> {
+        self.driven.as_ref().map(Driven::begins)
+    }
+
     /// Whether it accelerates in the time of the reaction.
     #[must_use]
     pub fn accelerates(&self) -> bool {

@@ -5,6 +5,7 @@ mod damage;
 mod recorder;
 mod skid;
 
+use ::uncertainty::Shape;
 use evidence::{DamagedSide, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
 use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior};
 use pim_core::VehicleId;
@@ -62,11 +63,16 @@ impl<'a> Subject<'a> {
         self.case.surface.as_ref().map(|surface| surface.friction)
     }
 
-    /// (SI) the standard deviation of the range of a number, if it has one.
+    /// (SI) the standard deviation of the range of a number, if it has one: as given, even if the number cannot
+    /// be below zero.
     fn sd(self, of: &str) -> Option<f64> {
         let key = self.key(of);
         let range = self.ranges.iter().find(|range| range.input.path == key)?;
-        Some(range.distribution.sd() * range.input.factor())
+        let sd = match range.distribution.shape() {
+            Shape::Normal { sd, .. } => sd,
+            _ => range.distribution.sd(),
+        };
+        Some(sd * range.input.factor())
     }
 }
 

@@ -98,20 +98,24 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         units.format(Measure::Time, scene.time),
     ));
     let above = scene.is_above_limit();
+    // What the verdicts say holds for one value of each number, where these are uncertain.
+    let central = if found.chance.is_some() { ", by the central values" } else { "" };
     if !above {
-        lines.push(format!("The vehicle was not faster than the limit of {limit} from there to the impact"));
+        lines.push(format!(
+            "The vehicle was not faster than the limit of {limit} from there to the impact{central}"
+        ));
     }
     // Below the limit, its own speed is what a run with a timely reaction has.
     let at = if above { format!("at {limit}") } else { "at the speed driven".to_owned() };
     if let Some(chance) = &found.chance {
+        let either = format!("at {limit}, or the speed driven where that is lower");
+        let lower = if (LOW..HIGH).contains(&chance.above_limit) { &either } else { &at };
         lines.push(format!(
-            "Probability that it is avoided {at}: {}; that the vehicle was faster than {limit}: {}",
+            "Probability that it is avoided {lower}: {}; that the vehicle was faster than {limit}: {}",
             probability_with_error(chance.avoided_at_limit, chance.mc_error),
             in_decimals(chance.above_limit),
         ));
     }
-    // What the verdicts say holds for one value of each number, where these are uncertain.
-    let central = if found.chance.is_some() { ", by the central values" } else { "" };
     let way = |si: f64| units.format(Measure::Way, si);
     let at_limit = scene.at_limit();
     let meeting = scene.meeting(&at_limit);
@@ -218,10 +222,17 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     let beaten = beaten_by_marks(found, units);
+    let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
+        format!(
+            "How the vehicle came to the impact is known from {} after the reaction demand on. Until then, the answer takes it to have \
+             kept the speed that it had then; the probability contains no error of that.",
+            units.format(Measure::Time, begins)
+        )
+    });
     let along = along_the_line(found, units);
     let of_other = of_the_other(found, units);
     let of_speed = of_speed(found, units);
-    let ours = hard.into_iter().chain(early).chain(along).chain(of_other).chain(beaten);
+    let ours = hard.into_iter().chain(early).chain(begins).chain(along).chain(of_other).chain(beaten);
     ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
 }
 
@@ -243,6 +254,13 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
     let vehicle = found.vehicle;
     let is_on_line = off.angle <= COLLINEAR;
     let angle = units.format(Measure::Angle, off.angle);
+    let line = units.format(Measure::Angle, COLLINEAR);
+    if found.scene.same_line.is_some() {
+        return Some(format!(
+            "The directions of both vehicles are {angle} from one line. Up to {line} counts as one line; beyond that, the answer takes \
+             the place of the impact as fixed, and is another. The probability does not contain a range of the headings."
+        ));
+    }
     let moved = match (off.along, is_on_line) {
         (Along::Ahead, true) => {
             format!("Vehicle {other} was ahead in nearly the same direction. If it was moving, it")
@@ -267,7 +285,6 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
              answer takes that place as fixed, and so asks less of the driver than was needed."
         ),
     };
-    let line = units.format(Measure::Angle, COLLINEAR);
     let remedy = if is_on_line {
         format!("Give `speed` in [vehicle{other}], and the answer takes its motion into account.")
     } else {
@@ -951,7 +968,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     }
     row("driven", scene.speed, chance.map(|chance| &chance.speed), "");
     row(
-        &format!("speed at the {}, from the limit", place(found)),
+        &format!("speed at the {}, from the {}", place(found), if above { "limit" } else { "speed driven" }),
         scene.left_at_limit(),
         chance.map(|chance| &chance.left_at_limit),
         "",

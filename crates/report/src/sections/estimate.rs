@@ -5,9 +5,9 @@ use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
-    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Weighed,
+    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
 };
-use case::{Case, SeverityPrior};
+use case::{Axes, Case, SeverityPrior};
 use evidence::TestedClass;
 use pim_core::VehicleId;
 
@@ -20,7 +20,7 @@ use crate::estimates::{
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
-use crate::warnings::{block, notice};
+use crate::warnings::{block, message, notice};
 use crate::words::quoted;
 use crate::writers::wrap::folded;
 
@@ -237,6 +237,11 @@ impl<'a> Page<'a> {
     /// Evidence that contradicts the rest, and what counts twice.
     fn warnings(&mut self) {
         let mut lines = contradictions(&self.estimated.pieces);
+        let backed = |warning: &&Warning| matches!(warning, Warning::MayHaveBacked { .. });
+        lines.extend(self.estimated.warnings.iter().filter(backed).map(|warning| {
+            // It has nothing that depends on the axes.
+            message(&warning.seen(Axes::ZUp), self.units)
+        }));
         for same in &self.estimated.same_twice {
             let [one, other] = &same.keys;
             lines.push(format!(

@@ -15,7 +15,7 @@ use validation::Validation;
 use super::chosen::Chosen;
 use super::headline::{DETAIL, Headline};
 use super::motion;
-use super::results::search;
+use super::results::{other_speeds, search};
 use crate::data::sha256;
 use crate::document::{Block, Document, Table};
 use crate::estimates::{WIDEST, ends};
@@ -280,6 +280,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
         let vehicle = answer.unknown.vehicle();
         let speed = said(rows::SPEED.of_vehicle(vehicle), answer.speed);
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
+        found.extend(other_speeds(answer, units).map(|others| format!("{others}.")));
     }
     if let Some(both) = &analysis.both {
         for vehicle in both.vehicles() {

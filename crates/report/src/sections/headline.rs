@@ -181,7 +181,12 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
         reasons.push(format!("does not use {}", weighed.why.left_aside.join(", ")));
     }
     if reasons.is_empty() {
-        "nothing speaks against it; it has no interval, as its evidence is taken as exact".to_owned()
+        let compared = if weighed.is_answer() {
+            "nothing speaks against it"
+        } else {
+            "it was not compared with the rest of the evidence"
+        };
+        format!("{compared}; it has no interval, as its evidence is taken as exact")
     } else {
         format!("against it: {}", reasons.join("; "))
     }

@@ -148,6 +148,7 @@ impl Page<'_> {
             VehicleId::ALL.iter().filter(|id| analysis.moves(**id)).map(of).collect::<Vec<_>>()
         });
         let said = std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed_along(found.speed)))
+            .chain(other_speeds(found, units))
             .chain(delta_v)
             .collect();
         let how = format!(
@@ -567,4 +568,13 @@ pub(crate) fn search(found: &Found) -> String {
         Some(1) => "by root-finding in 1 step".to_owned(),
         Some(steps) => format!("by root-finding in {steps} steps"),
     }
+}
+
+/// The speeds that give the crush energy as well as the one that leads; `None` if there is only that one.
+pub(super) fn other_speeds(found: &Found, units: Units) -> Option<String> {
+    let [_, others @ ..] = found.admissible.as_slice() else { return None };
+    let all: Vec<String> = others.iter().map(|&speed| units.road_speed(speed)).collect();
+    (!all.is_empty()).then(|| {
+        format!("Possible as well, with a faster approach: {}; the evidence decides", all.join(", "))
+    })
 }
