@@ -310,6 +310,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     };
     let checks = analysis.both.as_ref().map(of_momentum).unwrap_or_default();
     warning::of_momentum(&checks, &mut analysis.warnings);
+    analysis.warnings.extend(analysis.both.as_ref().and_then(warning::of_wreck_apart));
     analysis.checks.extend(checks);
     Ok(analysis.with_travel(record.travel, surface).beside_the_rest(case))
 }

@@ -43,6 +43,8 @@ pub struct BothFound {
 pub struct CgLine {
     /// (m/s) closing speed before the impact.
     pub closing_speed: f64,
+    /// (m/s) speed at which they part after it; negative if they close.
+    pub parting_speed: f64,
     /// (–) ratio of separation to closing speed; `None` if the CGs do not approach.
     pub restitution: Option<f64>,
 }
@@ -64,7 +66,7 @@ impl CgLine {
         let separating = (after[0] - after[1]).dot(&line);
         // e_CG = −V_c/v_c
         let restitution = (closing_speed > 0.0).then(|| 0.0 - separating / closing_speed);
-        Some(Self { closing_speed, restitution })
+        Some(Self { closing_speed, parting_speed: 0.0 - separating, restitution })
     }
 }
 

@@ -106,6 +106,11 @@ pub enum Warning {
         /// The checks that fail.
         checks: Vec<Check>,
     },
+    /// The velocities after the impact are not those of one body, as which the case says that the vehicles left.
+    NotLocked {
+        /// (m/s) the speed at which their CGs part; negative if they close.
+        parting: f64,
+    },
     /// Evidence that the answer does not use contradicts it.
     EvidenceDiffers {
         /// The vehicle.
@@ -556,6 +561,7 @@ impl Warning {
         ForceBalance => "force-balance",
         PdofDiffers { vehicle } => "pdof-differs",
         MomentumDiffers => "momentum-differs",
+        NotLocked => "not-locked",
         EvidenceDiffers { vehicle } => "evidence-differs",
         BelowRecord { vehicle } => "below-record",
         SkidDirection { vehicle } => "skid-direction",
@@ -1198,6 +1204,15 @@ pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
     if !checks.is_empty() {
         warnings.push(Warning::MomentumDiffers { checks });
     }
+}
+
+/// (m/s) CGs of one body keep their distance: a greater speed at which they part or close is not measurement.
+const APART: f64 = 1.0;
+
+/// Warns of vehicles that are said to have left as one body, with velocities that no body has.
+pub(crate) fn of_wreck_apart(both: &BothFound) -> Option<Warning> {
+    let parting = both.cg_line?.parting_speed;
+    (both.locked_together && parting.abs() > APART).then_some(Warning::NotLocked { parting })
 }
 
 /// Warnings if a rest position leaves several motions, or if the motion misses a point of the path.

@@ -700,3 +700,42 @@ find = ["vehicle1.speed", "vehicle2.speed"]
     assert_close("change", *change, expected, 0.02 * expected);
     assert_eq!(of("1600 kg"), []);
 }
+
+/// CG 1 lies at (−2, −0.3) m from C, and CG 2 at (0.8, −0.3): along x, 13.5437 cos 16.348° − 8.5566 cos 12.992°
+/// is their parting speed.
+#[test]
+fn a_wreck_whose_parts_separate_is_told() {
+    let text = |speed: &str, direction: &str| {
+        format!(
+            r#"
+[scene]
+locked_together = true
+[vehicle1]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "0 deg"
+contact = {{ x = "2 m", y = "0.3 m" }}
+after = {{ speed = "8.556643 m/s", direction = "12.992374 deg" }}
+[vehicle2]
+mass = "1300 kg"
+yaw_radius = "1.3 m"
+heading = "90 deg"
+contact = {{ x = "0.3 m", y = "0.8 m" }}
+after = {{ speed = "{speed} m/s", direction = "{direction} deg" }}
+[impact]
+crush_plane = "0 deg"
+restitution = 0.1
+tangential = {{ friction = 0.5 }}
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#
+        )
+    };
+    let of = |speed, direction| raised(analysis::reconstruct, &text(speed, direction), "not-locked");
+    let [Warning::NotLocked { parting }] = of("13.543710", "16.347913")[..] else { panic!() };
+    let expected =
+        13.543_71 * 16.347_913_f64.to_radians().cos() - 8.556_643 * 12.992_374_f64.to_radians().cos();
+    assert_close("parting", parting, expected, 1e-9);
+    // As fast along the line, and across it by the turn.
+    assert_eq!(of("8.556643", "12.992374"), []);
+}

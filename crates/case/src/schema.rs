@@ -944,7 +944,7 @@ pub(crate) static PULSE: Schema = Schema {
 
 pub(crate) static RECORDER_AT: Schema = point(
     "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    "Place of the recorder. From the CG: a recorder away from it stores a ΔV to which the rotation of the vehicle adds; with `yaw_rate`, the ΔV of `pulse` is converted to that of the CG.",
+    "Place of the recorder. From the CG: a recorder away from it stores a ΔV to which the rotation of the vehicle adds; with `yaw_rate`, the ΔV of `pulse` is converted to that of the CG. Without it, `deltav estimate` compares that ΔV with the one at this place.",
     &from_cg(EXACT_LENGTH, "x = \"-0.3 m\"", "y = \"0 m\""),
 );
 

@@ -447,6 +447,28 @@ pub struct RecordedData {
     pub speed: Option<MeasuredSpeed>,
     /// (rad/s) yaw rate after the impact.
     pub yaw_rate: Option<Measured>,
+    /// The place of the recorder, if its ΔV is that of this place; `None` if it is that of the CG.
+    pub place: Option<RecorderPlace>,
+}
+
+/// The place of a recorder away from the CG.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecorderPlace {
+    /// (m) forward and left of the CG.
+    pub at: [f64; 2],
+    /// (rad/s) yaw rate of the vehicle before the impact.
+    pub yaw_rate: f64,
+}
+
+impl RecorderPlace {
+    /// (m/s) the components of ΔV there, forward and left, from those of the CG and the yaw rate (rad/s) after
+    /// the impact.
+    #[must_use]
+    pub fn sensed(&self, [along, left]: [f64; 2], yaw_rate: f64) -> [f64; 2] {
+        let (turned, [x, y]) = (yaw_rate - self.yaw_rate, self.at);
+        // ΔV_R = ΔV + ΔΩ × r
+        [along - turned * y, left + turned * x]
+    }
 }
 
 /// ΔV stored by a recorder, with an error of its logarithm.

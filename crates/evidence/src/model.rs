@@ -385,8 +385,17 @@ impl<I: Impacts> CollisionModel<I> {
                 }
             }
             Piece::RecordedDirection(id) => {
-                let recorded = vehicle(id).recorder.direction;
-                recorded.map_or(Error::NONE, |shown| shown.error(impacted.outcome.pdof()[id.index()]))
+                let recorder = &vehicle(id).recorder;
+                let pdof = match recorder.place {
+                    Some(place) => {
+                        let at_cg = impacted.outcome.delta_v_components()[id.index()];
+                        let [along, left] = place.sensed(at_cg, after(id).yaw_rate);
+                        // Away from the origin of the force; clockwise from the heading.
+                        atan2(left, -along)
+                    }
+                    None => impacted.outcome.pdof()[id.index()],
+                };
+                recorder.direction.map_or(Error::NONE, |shown| shown.error(pdof))
             }
             Piece::SpeedAfter(id) => match vehicle(id).after.speed {
                 Some(measured) => measured.error(length(leaves(id))),
@@ -402,9 +411,15 @@ impl<I: Impacts> CollisionModel<I> {
             Piece::YawRateAfter(id) => yaw_rate(vehicle(id).after.yaw_rate, id),
             Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => {
                 let outcome = &impacted.outcome;
-                let whole = outcome.delta_v_magnitude()[id.index()];
-                let along = outcome.delta_v_components()[id.index()][0];
                 let recorder = &vehicle(id).recorder;
+                let at_cg = outcome.delta_v_components()[id.index()];
+                let (whole, along) = match recorder.place {
+                    Some(place) => {
+                        let [along, left] = place.sensed(at_cg, after(id).yaw_rate);
+                        (Real::sqrt(along * along + left * left), along)
+                    }
+                    None => (outcome.delta_v_magnitude()[id.index()], at_cg[0]),
+                };
                 let (error, slows) = match (recorder.delta_v, recorder.longitudinal) {
                     (_, Some(part)) => (part.error(whole, along), part.along < 0.0),
                     (Some(recorded), None) => {

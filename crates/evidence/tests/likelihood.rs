@@ -7,7 +7,7 @@ use evidence::{
     BodyNumbers, CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DamagedSide,
     DrawnOutput, EnergyError, FITTED, Freedom, Impacted, Impacts, InjuryRisk, Limits, Measured, MeasuredRest,
     MeasuredSpeed, Number, Observed, ObservedVehicle, OtherCrush, Piece, PostImpactMotion, RecordedData,
-    RecordedDeltaV, RecordedPart, RestitutionModel, Severity, Speeds, VehicleNumbers, Way,
+    RecordedDeltaV, RecordedPart, RecorderPlace, RestitutionModel, Severity, Speeds, VehicleNumbers, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -230,6 +230,29 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let z = (6.0_f64 / 6.6).ln() / ln_scale;
     close(terms[1].1, (2.0 / (PI * 3.0_f64.sqrt() * (1.0 + z * z / 3.0).powi(2) * ln_scale)).ln());
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
+}
+
+/// A recorder 2 m behind the CG and 1 m to the left, in a vehicle that loses 6.6 m/s and a yaw rate of 1.5 rad/s:
+/// ΔΩ × r = (1.5, 3) m/s, so it stores (−5.1, 3) m/s.
+#[test]
+fn a_recorder_away_from_the_centre_of_gravity_stores_the_rotation_too() {
+    let mut collision = rear_end();
+    let (ln_scale, freedom) = (0.16, Freedom::Three);
+    let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: false, ln_scale, least: 0.0, freedom });
+    let shown = 3.0_f64.atan2(5.1);
+    collision.observed.vehicles[0].recorder = RecordedData {
+        delta_v,
+        direction: Some(CodedPdof { pdof: shown + 0.2, scale: 0.1 }),
+        place: Some(RecorderPlace { at: [-2.0, 1.0], yaw_rate: 1.5 }),
+        ..RecordedData::default()
+    };
+    let terms = terms(&collision);
+    let of = |piece: Piece| terms.iter().find(|(of, _)| *of == piece).unwrap().1;
+    let z = (6.0 / 5.1_f64.hypot(3.0)).ln() / ln_scale;
+    let size = 2.0 / (PI * 3.0_f64.sqrt() * (1.0 + z * z / 3.0).powi(2) * ln_scale);
+    close(of(Piece::RecordedDeltaV(One)), size.ln());
+    // f(z) = (1 + z²/2)^(−3/2)/√8 with z = 2
+    close(of(Piece::RecordedDirection(One)), (3.0_f64.powf(-1.5) / (8.0_f64.sqrt() * 0.1)).ln());
 }
 
 /// Of two PDOFs with the same error, the mean counts, whichever vehicle is called 1: the force comes from 0

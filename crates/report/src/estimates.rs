@@ -328,6 +328,11 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
             "the record holds no ΔV of an impact",
             "nothing: `deltav recorder` shows what it holds",
         ],
+        UnusedReason::OnlyLateral => [
+            "only_lateral",
+            "only the lateral part of ΔV is known, whose error alone was never tested",
+            "the longitudinal part as well",
+        ],
         UnusedReason::OtherImpact => [
             "other_impact",
             "it is not likely to be of this impact, or less likely than another record",
@@ -364,6 +369,7 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
     match assumed {
         Assumed::Heading | Assumed::CrushPlane | Assumed::Contact => "how well it is usually known; chosen",
         Assumed::Mass => SMITH_NOGA,
+        Assumed::Load => "5 % of it, as few loads are weighed; chosen",
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
         Assumed::Speed => "any speed, before the severity is applied; chosen",

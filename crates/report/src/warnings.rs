@@ -361,6 +361,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 ),
             }
         }
+        Warning::NotLocked { parting } => format!(
+            "by `locked_together`, the vehicles left the impact as one body, but by the velocities in their `after` tables the \
+             centres of gravity {} at {}, which no body does; leave one of the velocities out, so that it follows from the other, or \
+             `locked_together`",
+            if *parting > 0.0 { "part" } else { "close" },
+            units.road_speed(parting.abs())
+        ),
         Warning::MayHaveBacked { vehicle, speed: found } => format!(
             "vehicle {vehicle} may have been backing{}; an estimate excludes that unless the case allows it: if it may have been, write \
              certain_speed = {{ at_least = \"-30 km/h\" }} in [vehicle{vehicle}]",

@@ -37,6 +37,8 @@ pub enum UnusedReason {
     WithMoment,
     /// A pulse without an impact.
     NoImpact,
+    /// A recorder's ΔV of which only the lateral part is known.
+    OnlyLateral,
     /// One of several records, which is probably not of this impact.
     OtherImpact,
     /// The table of a vehicle that stood or crawled.

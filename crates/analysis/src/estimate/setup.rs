@@ -8,7 +8,7 @@ use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     Amount, Bounds, BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find,
     GivenVehicle, ImpactLaw, Input, MotionInput, Origin, Purpose, Quantity, Range, Reconstruct, Restitution,
-    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, Velocity, YawForm,
+    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, VehicleKind, Velocity, YawForm,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -41,6 +41,8 @@ pub enum Assumed {
     Contact,
     /// The usual uncertainty of a mass: Smith and Noga 1982.
     Mass,
+    /// The usual uncertainty of the mass of a truck or trailer with its load.
+    Load,
     /// A value from a table or a formula, as varied by `uncertainty`.
     Estimate,
     /// Speeds without evidence.
@@ -67,6 +69,9 @@ const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
 const CONTACT_SD: f64 = 0.10;
 /// (kg) standard deviation of a mass without a range: 65 lb, Smith and Noga, SAE 821169 (1982).
 const MASS_SD: f64 = 65.0 * 0.453_592_37;
+/// (–) standard deviation of the mass of a truck or trailer without a range, as a share of it: the load of few is
+/// weighed.
+const LOAD_SHARE: f64 = 0.05;
 /// (–) standard deviation of the logarithm of the friction of the ground.
 const GROUND_LN_SD: f64 = 0.10;
 /// (–) standard deviation of the logarithm of the drag of a vehicle's wheels.
@@ -604,9 +609,12 @@ fn usual_sd(input: &Input, case: &Case, nominal: &CollisionData) -> Option<(f64,
     }
     let id = VehicleId::ALL.into_iter().find(|id| input.path.starts_with(table(*id)))?;
     let fixed = case.vehicles[id.index()].fixed;
+    let kind = case.vehicles[id.index()].kind;
+    let is_loaded = matches!(kind, Some(VehicleKind::HeavyTruck | VehicleKind::Trailer));
     match input.path.split_once('.')?.1 {
         // A wall has the heading of the crush plane.
         "heading" if !fixed => Some((HEADING_SD, Assumed::Heading)),
+        "mass" | "weight" if is_loaded => Some((LOAD_SHARE * input.si(), Assumed::Load)),
         "mass" => Some((MASS_SD, Assumed::Mass)),
         "weight" => Some((MASS_SD * inputs::STANDARD_GRAVITY, Assumed::Mass)),
         "contact.x" | "contact.y" | "contact.distance" if !fixed => Some((CONTACT_SD, Assumed::Contact)),

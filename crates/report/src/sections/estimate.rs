@@ -61,6 +61,9 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
     page.document
 }
 
+/// (–) a p-value below this is borderline, if no verdict follows from it: that of one right piece in 20.
+const BORDERLINE: f64 = 0.05;
+
 /// (–) a probability below this is not worth a line.
 const WORTH_A_LINE: f64 = 0.005;
 
@@ -386,7 +389,11 @@ impl<'a> Page<'a> {
                     }));
                 }
             }
-            let verdict = agreement.map_or(NONE, |(agreement, _)| agreement.name());
+            let is_borderline = piece.p_value.is_some_and(|p| p.value < BORDERLINE);
+            let verdict = match agreement {
+                Some((Agreement::Agrees, _)) if is_borderline => "borderline",
+                agreement => agreement.map_or(NONE, |(agreement, _)| agreement.name()),
+            };
             let p = piece.p_value.map_or(NONE.to_owned(), |p| p_value(p.value));
             cells.push(format!("{p}\n{verdict}"));
             table.cells(cells);
@@ -406,7 +413,8 @@ impl<'a> Page<'a> {
              the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's \
              correction), so that, if all pieces are right, a warning appears in at most {} % of cases: if \
              the product is below {DOUBTFUL}, the piece is doubtful; if the p-value itself is below \
-             {CONTRADICTS} too, the piece contradicts the other evidence.",
+             {CONTRADICTS} too, the piece contradicts the other evidence. One right piece in 20 is borderline, \
+             with a p-value below {BORDERLINE}.",
             number(100.0 * DOUBTFUL, 0)
         ));
         self.document.paragraph(words);

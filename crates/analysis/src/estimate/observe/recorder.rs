@@ -2,6 +2,7 @@
 
 use evidence::{
     CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedData, RecordedDeltaV, RecordedPart,
+    RecorderPlace,
 };
 use inputs::Quantity;
 
@@ -68,5 +69,15 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
             .unused
             .push(Unused { key: subject.key("recorder.pre_crash"), reason: UnusedReason::StoodByRecord });
     }
-    (RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate }, notes)
+    if told.is_some() && along.is_none() {
+        let key = if recorder.pulse.is_some() { "recorder.pulse" } else { "recorder.delta_v_lateral" };
+        notes.unused.push(Unused { key: subject.key(key), reason: UnusedReason::OnlyLateral });
+    }
+    // With the yaw rate that the recorder stored, its ΔV is already that of the CG.
+    let is_there = told.is_some_and(|told| told.is_of_table) && yaw_rate.is_none();
+    let place = recorder.at.filter(|_| is_there).map(|at| {
+        let at = [at.x.si(), axes.lateral(at.y.si())];
+        RecorderPlace { at, yaw_rate: axes.lateral(before) }
+    });
+    (RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }, notes)
 }
