@@ -27,6 +27,43 @@ fn an_axis_that_ends_early_was_stored() {
     }
 }
 
+/// The same recorder with a complete record, one that was cut off, and one whose place makes no bound of its ΔV:
+/// by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing. Without the
+/// yaw rate, ΔV is that at the place of the recorder.
+#[test]
+fn the_headline_says_where_delta_v_holds() {
+    let cut = "-2 -5 -9 -13 -16 -18 -20 -21 -22 -23 km/h";
+    let whole = "-2 -5 -9 -13 -16 -18 -23 -23 -23 -23 km/h";
+    let small = "0 -1 -1 -2 -2 -2 -3 -3 -3 -4 km/h";
+    let yaw_rate = "yaw_rate = \"90 deg/s\"";
+    let expected = [
+        (whole, yaw_rate, "17.9 km/h at its centre of gravity, at", "where ΔV is 17.9 km/h backward"),
+        (
+            cut,
+            yaw_rate,
+            "at least 17.9 km/h at its centre of gravity, as",
+            "where ΔV is at least 17.9 km/h backward",
+        ),
+        (small, yaw_rate, "at least 4.0 km/h at the place of its recorder, as", "gives no lower bound of ΔV"),
+        (
+            cut,
+            "",
+            "at least 23.0 km/h at the place of its recorder, as",
+            "ΔV is that at the place of the recorder",
+        ),
+    ];
+    for (pulse, yaw_rate, headline, place) in expected {
+        let text = format!(
+            "[vehicle1.recorder]\nat = {{ x = \"-1 m\", y = \"0.9 m\" }}\n{yaw_rate}\npulse = {{ time = \
+             \"10 20 30 40 50 60 70 80 90 100 ms\", delta_v_longitudinal = \"{pulse}\" }}\n"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(&format!("ΔV of vehicle 1: {headline}")) && text.contains(place), "{text}");
+    }
+}
+
 /// Where all the evidence gives the answer, a bound above its interval is a warning on the answer, as in an
 /// estimate, and on the exact solution that is shown with it.
 #[test]

@@ -65,19 +65,26 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         ));
     }
     if let Some(span) = leading(&found.spans) {
-        let size = road(span.resultant());
-        lines.push(if let Some(told) = found.delta_v.filter(|_| is_of_center(found)) {
-            let size = road(told.size());
-            format!("ΔV of vehicle {id}: {size} at its centre of gravity, at {}", milliseconds(span.end))
-        } else if span.complete {
-            format!("ΔV of vehicle {id}: {size}, at {}", milliseconds(span.end))
+        let of_center = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
+        // A bound of 0 says nothing; that at the place of the recorder does.
+        let of_center = of_center.filter(|told| span.complete || told.size() > 0.0);
+        let size = road(of_center.map_or_else(|| span.resultant(), |told| told.size()));
+        let place = if of_center.is_some() {
+            " at its centre of gravity"
+        } else if found.recorder.at.is_some() {
+            " at the place of its recorder"
+        } else {
+            ""
+        };
+        lines.push(if span.complete {
+            format!("ΔV of vehicle {id}: {size}{place}, at {}", milliseconds(span.end))
         } else {
             let why = if found.recorder.incomplete {
                 "the recorder did not finish the record"
             } else {
                 "its record ends before the impact does"
             };
-            format!("ΔV of vehicle {id}: at least {size}, as {why}")
+            format!("ΔV of vehicle {id}: at least {size}{place}, as {why}")
         });
     }
     lines
@@ -540,7 +547,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             page.paragraph(alone);
         }
     }
-    if recorder.at.is_some() && found.delta_v.is_some() {
+    if recorder.at.is_some() && found.delta_v.or(found.least_delta_v).is_some() {
         page.paragraph(place(found, file.case.axes, units));
     }
 }
@@ -581,7 +588,8 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 
 /// The position of the recorder, and ΔV at the centre of gravity.
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
-    let (Some(at), Some(told)) = (found.recorder.at, found.delta_v.filter(|_| is_of_center(found))) else {
+    let told = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
+    let (Some(at), Some(told)) = (found.recorder.at, told) else {
         return "ΔV is that at the place of the recorder: with `yaw_rate` it is converted to that at the \
                 centre of gravity."
             .to_owned();
@@ -589,14 +597,24 @@ fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
         format!("{} {}", units.format(measure, value.abs()), if value < 0.0 { negative } else { positive })
     };
-    let along = told.along.map(|along| sided(Measure::RoadSpeed, along, ["forward", "backward"]));
-    let left = told.left.map(|left| sided(Measure::RoadSpeed, left, ["to the left", "to the right"]));
+    // A bound of 0 has no sense.
+    let is_told = |part: &f64| found.delta_v.is_some() || *part != 0.0;
+    let part = |part: Option<f64>, senses: [&str; 2]| {
+        part.filter(is_told).map(|part| sided(Measure::RoadSpeed, part, senses))
+    };
+    let along = part(told.along, ["forward", "backward"]);
+    let left = part(told.left, ["to the left", "to the right"]);
     let parts: Vec<String> = along.into_iter().chain(left).collect();
+    let bound = if found.delta_v.is_some() { "" } else { "at least " };
+    let there = if parts.is_empty() {
+        "the record gives no lower bound of ΔV".to_owned()
+    } else {
+        format!("ΔV is {bound}{}", parts.join(" and "))
+    };
     format!(
-        "The recorder is {} and {} of the centre of gravity, where ΔV is {} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
+        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
          impact less that before).",
         sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
         sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
-        parts.join(" and "),
     )
 }
