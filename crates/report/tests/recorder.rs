@@ -37,18 +37,28 @@ fn the_headline_says_where_delta_v_holds() {
     let small = "0 -1 -1 -2 -2 -2 -3 -3 -3 -4 km/h";
     let yaw_rate = "yaw_rate = \"90 deg/s\"";
     let expected = [
-        (whole, yaw_rate, "17.9 km/h at its centre of gravity, at", "where ΔV is 17.9 km/h backward"),
+        (
+            whole,
+            yaw_rate,
+            "17.9 km/h (longitudinal only) at its centre of gravity, at",
+            "where ΔV is 17.9 km/h backward",
+        ),
         (
             cut,
             yaw_rate,
-            "at least 17.9 km/h at its centre of gravity, as",
+            "at least 17.9 km/h (longitudinal only) at its centre of gravity, as",
             "where ΔV is at least 17.9 km/h backward",
         ),
-        (small, yaw_rate, "at least 4.0 km/h at the place of its recorder, as", "gives no lower bound of ΔV"),
+        (
+            small,
+            yaw_rate,
+            "at least 4.0 km/h (longitudinal only) at the place of its recorder, as",
+            "gives no lower bound of ΔV",
+        ),
         (
             cut,
             "",
-            "at least 23.0 km/h at the place of its recorder, as",
+            "at least 23.0 km/h (longitudinal only) at the place of its recorder, as",
             "ΔV is that at the place of the recorder",
         ),
     ];
@@ -61,6 +71,27 @@ fn the_headline_says_where_delta_v_holds() {
         let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(&format!("ΔV of vehicle 1: {headline}")) && text.contains(place), "{text}");
+    }
+}
+
+/// 30 km/h along and 40 km/h across are 50 km/h; each axis alone is named.
+#[test]
+fn the_headline_names_the_axis_that_was_stored() {
+    let rising =
+        |size: i32| (0..15).map(|k| (size * k.min(10) / 10).to_string()).collect::<Vec<_>>().join(" ");
+    let axis = |name: &str, size: i32| format!(", delta_v_{name} = \"{} km/h\"", rising(size));
+    let (along, across) = (axis("longitudinal", -30), axis("lateral", 40));
+    let expected = [
+        (along.clone(), "30.0 km/h (longitudinal only), at"),
+        (across.clone(), "40.0 km/h (lateral only), at"),
+        (along + &across, "50.0 km/h, at"),
+    ];
+    for (axes, headline) in expected {
+        let times = (0..15).map(|k| (10 * k).to_string()).collect::<Vec<_>>().join(" ");
+        let text = format!("[vehicle1.recorder]\npulse = {{ time = \"{times} ms\"{axes} }}\n");
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+        assert!(text.contains(&format!("ΔV of vehicle 1: {headline}")), "{text}");
     }
 }
 

@@ -69,6 +69,11 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         // A bound of 0 says nothing; that at the place of the recorder does.
         let of_center = of_center.filter(|told| span.complete || told.size() > 0.0);
         let size = road(of_center.map_or_else(|| span.resultant(), |told| told.size()));
+        let axis = match span.delta_v {
+            [Some(_), None] => " (longitudinal only)",
+            [None, Some(_)] => " (lateral only)",
+            _ => "",
+        };
         let place = if of_center.is_some() {
             " at its centre of gravity"
         } else if found.recorder.at.is_some() {
@@ -77,14 +82,14 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
             ""
         };
         lines.push(if span.complete {
-            format!("ΔV of vehicle {id}: {size}{place}, at {}", milliseconds(span.end))
+            format!("ΔV of vehicle {id}: {size}{axis}{place}, at {}", milliseconds(span.end))
         } else {
             let why = if found.recorder.incomplete {
                 "the recorder did not finish the record"
             } else {
                 "its record ends before the impact does"
             };
-            format!("ΔV of vehicle {id}: at least {size}{place}, as {why}")
+            format!("ΔV of vehicle {id}: at least {size}{axis}{place}, as {why}")
         });
     }
     lines
