@@ -122,7 +122,8 @@ impl SeriesSource {
 
 /// The refusal of tables of which none is of the kind that is wanted.
 fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
-    let found = tables.iter().map(RecorderTable::headings).collect::<Vec<_>>().join("; ");
+    let headings: Vec<String> = tables.iter().map(RecorderTable::headings).collect();
+    let found = if headings.is_empty() { "nothing".to_owned() } else { headings.join("; ") };
     SeriesRefusal::NoneOfKind { wanted, found }
 }
 

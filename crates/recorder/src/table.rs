@@ -387,6 +387,17 @@ pub enum TextRefusal {
         /// The columns by which they can be chosen.
         known: String,
     },
+    /// A long table without a code of NHTSA.
+    #[error(
+        "{place}: no PCODE begins with 1, as before the impact, or 2, as during it; there are {known}; write NHTSA's codes, \
+         or a table with a column for each quantity"
+    )]
+    NoCodes {
+        /// The place of the first of them.
+        place: TextPlace,
+        /// The codes that there are.
+        known: String,
+    },
     /// A choice of rows in a table whose rows are times.
     #[error(
         "`rows` chooses from a long table of NHTSA, with the columns PCODE, PTIME and PVALUE; this table is not one: leave `rows` out"
@@ -474,6 +485,7 @@ impl TextRefusal {
             | Self::Unit { place, .. }
             | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
+            | Self::NoCodes { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeFar { place, .. }
             | Self::TimeTwice { place, .. }

@@ -430,6 +430,12 @@ fn rows_of_several_records_or_of_none_are_refused() {
         let refusal = read_rows(text, rows).unwrap_err().to_string();
         assert!(refusal.contains(words), "{rows}: {refusal}");
     }
+    // Words in place of NHTSA's codes.
+    let words = "CASEID,VEHNO,PCODE,PTIME,PVALUE\n7,1,Vehicle Speed,-1,60\n7,1,Service Brake,-1,0\n";
+    let refusal = read_rows(words, "VEHNO 1").unwrap_err().to_string();
+    let told = "line 2, column 5: no PCODE begins with 1, as before the impact, or 2, as during it; there are Service Brake, \
+                Vehicle Speed; ";
+    assert!(refusal.starts_with(told), "{refusal}");
     // A time that occurs twice in one record, and a cell that is not a time.
     let twice = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,-1.0,51");
     assert!(
