@@ -74,6 +74,32 @@ fn the_headline_says_where_delta_v_holds() {
     }
 }
 
+/// A second table is read if all its times are before the impact, and it gives nothing twice.
+#[test]
+fn a_table_that_is_not_read_has_a_reason() {
+    let told = |second: &str| {
+        let first = "Time (s) Vehicle speed (km/h)\n-1.0 60\n-0.5 55\n0.0 50\n\n";
+        let text = format!("[vehicle1.recorder]\npre_crash = {{ text = \"\"\"\n{first}{second}\"\"\" }}\n");
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let pedals = "Time (s) Brake Steering (deg)\n-1.0 Off 0\n-0.5 On 0\n0.0 On 5\n";
+    assert!(!told(pedals).contains("Not read"));
+    for (second, reason) in [
+        (
+            pedals.replace("0.0 On", "0.25 On"),
+            "Not read: \"Brake\", \"Steering (deg)\", as the table has a time after the impact, 0.250 s.",
+        ),
+        (
+            "Time (s) Vehicle speed (km/h) Brake\n-0.8 31 Off\n-0.3 30 On\n".to_owned(),
+            "Not read: \"Vehicle speed (km/h)\", \"Brake\", as the table that was read has a speed for the same times, from -0.800 s on.",
+        ),
+    ] {
+        assert!(told(&second).contains(reason), "{}", told(&second));
+    }
+}
+
 /// 30 km/h along and 40 km/h across are 50 km/h; each axis alone is named.
 #[test]
 fn the_headline_names_the_axis_that_was_stored() {

@@ -109,6 +109,10 @@ fn table(table: &RecorderTable) -> Value {
             "values": column.values,
         })),
         "ignored": list(&table.ignored, |(heading, _)| heading),
+        "left": list(&table.left, |left| json!({
+            "headings": left.headings,
+            "reason": left.reason.to_string(),
+        })),
         "without_value": list(&table.doubts, |doubt| json!({
             "line": doubt.place.line,
             "column": doubt.place.column,

@@ -4,8 +4,8 @@ use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    KnownImpact, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
-    force_direction,
+    KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable,
+    SpeedErrorSource, force_direction,
 };
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
@@ -233,6 +233,11 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
         ]);
     }
     rows.notes.push(format!("{}: {}.", from(source), table.layout.name()));
+    for LeftTable { headings, reason } in &table.left {
+        let headings: Vec<String> =
+            headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
+        rows.notes.push(format!("Not read: {}, as {reason}.", headings.join(", ")));
+    }
     page.push(rows);
     if table.counted_down {
         page.paragraph("Its times count down to the impact, and are read as negative.");
