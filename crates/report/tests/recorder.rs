@@ -149,6 +149,32 @@ fn a_record_above_all_answers_is_told_where_all_evidence_leads() {
     }
 }
 
+/// The command that evaluates recorders alone is listed where a recorder has a table: a file that was not read
+/// prevents it, and stored numbers do not need it.
+#[test]
+fn what_a_case_can_do_includes_its_recorder() {
+    let columns = "pre_crash = { time = \"-1 0 s\", speed = \"50 50 km/h\" }";
+    let expected = [
+        (columns, Some(true), "recorder has all that it needs"),
+        (
+            "pre_crash = { file = \"edr.csv\" }",
+            Some(false),
+            "recorder cannot run the file edr.csv of the recorder was not read",
+        ),
+        ("speed = \"50 km/h\"", None, "Commands"),
+    ];
+    for (lines, runs, words) in expected {
+        let file = CaseFile::parse("case.toml", &format!("[vehicle1.recorder]\n{lines}\n")).unwrap();
+        let judgement = analysis::judge(&file.case);
+        let text = report::judgement(&file, &judgement, Units::Si).text();
+        assert!(text.split_whitespace().collect::<Vec<_>>().join(" ").contains(words), "{text}");
+        let json: Value = serde_json::from_str(&report::judgement_json(&file, &judgement).unwrap()).unwrap();
+        let commands = json["commands"].as_array().unwrap();
+        let found = commands.iter().find(|one| one["command"] == "recorder");
+        assert_eq!(found.map(|one| one["runs"].as_bool().unwrap()), runs, "{json}");
+    }
+}
+
 /// Stored 0 km/h, rounded to 1: the true speed was between 0 and 0.5 km/h, never below 0. The table adds up.
 #[test]
 fn the_speed_of_a_vehicle_that_stood_adds_up() {
