@@ -59,7 +59,7 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         let [low, high] = speed.interval(0.95);
         lines.push(format!(
             "Speed of vehicle {id} at the impact: {} (95 %: {} to {})",
-            road(speed.mean),
+            road(speed.quantile(0.5)),
             units.plain(Measure::RoadSpeed, low),
             road(high)
         ));
@@ -440,7 +440,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
             NONE.to_owned(),
         ]);
     }
-    table.row(["at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
+    table.row(["mean at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
+    let median = "median at the impact: as above".to_owned();
+    table.row([median, plain(speed.quantile(0.5)), NONE.to_owned(), NONE.to_owned()]);
     let errors = &found.errors;
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
