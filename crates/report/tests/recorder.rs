@@ -27,9 +27,9 @@ fn an_axis_that_ends_early_was_stored() {
     }
 }
 
-/// The same recorder with a complete record, one that was cut off, and one whose place makes no bound of its ΔV:
-/// by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing. Without the
-/// yaw rate, ΔV is that at the place of the recorder.
+/// The same recorder with a complete record, one that was cut off, and one whose place makes no bound of its
+/// ΔV: by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing. Without
+/// the yaw rate, ΔV is that at the place of the recorder.
 #[test]
 fn the_headline_says_where_delta_v_holds() {
     let cut = "-2 -5 -9 -13 -16 -18 -20 -21 -22 -23 km/h";
@@ -149,9 +149,10 @@ fn a_record_above_all_answers_is_told_where_all_evidence_leads() {
     }
 }
 
-/// 60 km/h with the brake off and 1 s left, and no error but that the brake may come on, with 25 % in each half
-/// second: 1 − 0.75² = 0.4375, at any instant, so for 0.5 s on average, at 0.375 g on average. The mean falls by
-/// 0.4375 · 0.5 · 0.375 · 9.80665 = 0.8045 m/s = 2.90 km/h; the median stays, as it did not come on with 56 %.
+/// 60 km/h with the brake off and 1 s left, and no error but that the brake may come on, with 25 % in each
+/// half second: 1 − 0.75² = 0.4375, at any instant, so for 0.5 s on average, at 0.375 g on average. The mean
+/// falls by 0.4375 · 0.5 · 0.375 · 9.80665 = 0.8045 m/s = 2.90 km/h; the median stays, as it did not come on
+/// with 56 %.
 #[test]
 fn the_headline_is_the_median_and_the_account_the_mean() {
     let text = "[vehicle1.recorder]\npre_crash = { time = \"-3 -2 -1 s\", speed = \"60 60 60 km/h\", brake = \"off off off\" }\n\
@@ -165,8 +166,8 @@ fn the_headline_is_the_median_and_the_account_the_mean() {
     assert!(words.contains("median at the impact: as above 60.0 "), "{text}");
 }
 
-/// The command that evaluates recorders alone is listed where a recorder has a table: a file that was not read
-/// prevents it, and stored numbers do not need it.
+/// The command that evaluates recorders alone is listed where a recorder has a table: a file that was not
+/// read prevents it, and stored numbers do not need it.
 #[test]
 fn what_a_case_can_do_includes_its_recorder() {
     let columns = "pre_crash = { time = \"-1 0 s\", speed = \"50 50 km/h\" }";

@@ -74,8 +74,8 @@ pub(crate) fn recorder_faults(case: &Case) -> Option<Option<Faults>> {
     })
 }
 
-/// The problems of faults, with what to write instead. Help that applies to both vehicles is given once, after
-/// the last problem that it solves.
+/// The problems of faults, with what to write instead. Help that applies to both vehicles is given once,
+/// after the last problem that it solves.
 fn problems(file: &CaseFile, faults: &Faults) -> Vec<Row> {
     let diagnostics = file.diagnostics(faults, &PROGRAM);
     let problems: Vec<_> =
