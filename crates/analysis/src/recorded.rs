@@ -45,6 +45,8 @@ pub struct VehicleReading {
     pub is_cut: bool,
     /// ΔV at the centre of gravity, if the pulse holds all of it.
     pub delta_v: Option<RecordersDeltaV>,
+    /// A lower bound of ΔV at the centre of gravity, if the pulse does not hold all of it.
+    pub least_delta_v: Option<RecordersDeltaV>,
     /// (rad) principal direction of force of the pulse over time (s), clockwise from the front.
     pub force_directions: Vec<(f64, f64)>,
 }
@@ -258,7 +260,8 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         let turned = case.vehicles[id.index()].yaw_rate_before();
         let of_record = |(record, of_impact): (Recorder, OfImpact)| {
             let delta_v = record.tells_delta_v(case.axes, turned);
-            reading(record, of_impact, ground, delta_v)
+            let least = record.least_delta_v(case.axes, turned);
+            reading(record, of_impact, ground, [delta_v, least])
         };
         let mut readings: Vec<VehicleReading> =
             records(case, id, recorder).into_iter().map(of_record).collect();
@@ -295,12 +298,13 @@ fn reading(
     recorder: Recorder,
     of_impact: OfImpact,
     ground: Option<f64>,
-    delta_v: Option<RecordersDeltaV>,
+    delta_v: [Option<RecordersDeltaV>; 2],
 ) -> VehicleReading {
     let record = recorder.before_impact();
     let pulse = recorder.during_impact();
     let errors = recorder.speed_errors(ground);
     let limits = SpeedLimits::stored_in(errors.step);
+    let [delta_v, least_delta_v] = delta_v.map(|told| told.filter(|told| told.is_of_table));
     VehicleReading {
         of_impact,
         others: Vec::new(),
@@ -310,7 +314,8 @@ fn reading(
         steep: record.map(|record| record.steep_changes(&limits)).unwrap_or_default(),
         spans: spans(&recorder),
         is_cut: pulse.is_some_and(recorder::CrashPulse::is_cut),
-        delta_v: delta_v.filter(|told| told.is_of_table),
+        delta_v,
+        least_delta_v,
         force_directions: pulse.map(|pulse| pulse.force_directions(LEAST_OF_DIRECTION)).unwrap_or_default(),
         recorder,
     }

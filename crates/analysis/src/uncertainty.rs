@@ -506,9 +506,11 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     Ok(inputs)
 }
 
-/// The advice for a case without ranges, shown at a number of the case.
+/// The advice for a case without ranges outside of `[avoid]`, shown at a number of the case.
 fn no_range(case: &Case) -> Fault {
-    let inputs = case.inputs();
+    let collision = case.without_avoid();
+    let key = if case.ranges.len() > collision.ranges.len() { "avoid".to_owned() } else { String::new() };
+    let inputs = collision.inputs();
     let example = inputs.iter().find_map(|input| {
         let unit = input.unit.filter(|_| input.number != 0.0)?;
         let (table, key) = input.path.rsplit_once('.')?;
@@ -522,7 +524,7 @@ fn no_range(case: &Case) -> Fault {
         }
         None => format!("give at least one number as a range; the forms are {forms}"),
     };
-    Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
+    Fault { key, kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
 /// The advice for a case that has none of the requested outputs.

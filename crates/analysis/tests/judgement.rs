@@ -115,6 +115,23 @@ fn a_case_runs_what_it_has_all_for() {
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
 }
 
+/// The ranges of [avoid] count for that question alone.
+#[test]
+fn ranges_of_avoid_are_not_those_of_the_impact() {
+    let nothing_uncertain = |deceleration: &str| {
+        let avoid = format!("\n[avoid]\ndemand = {{ time = \"2 s\" }}\ndeceleration = {deceleration}\n");
+        let judgement = judge(&parsed(&(FORWARD.to_owned() + &avoid)));
+        let found = judgement.abilities.iter().find(|one| one.purpose == Purpose::Uncertainty).unwrap();
+        let fault = found.obstacle.as_ref().unwrap().list()[0].clone();
+        (fault.to_string(), fault.advice.unwrap())
+    };
+    let (message, _) = nothing_uncertain("\"7 m/s^2\"");
+    assert_eq!(message, "no number of this case is a range, so nothing is uncertain");
+    let (message, advice) = nothing_uncertain("{ low = \"6 m/s^2\", high = \"8 m/s^2\" }");
+    assert_eq!(message, "no number outside of [avoid] is a range, so nothing is uncertain");
+    assert!(!advice.contains("[avoid]"), "{advice}");
+}
+
 /// The commands do what `check` says about them.
 #[test]
 fn what_runs_runs_and_what_does_not_lacks_something() {

@@ -226,6 +226,26 @@ fn an_unfinished_record_is_a_lower_bound() {
     }
 }
 
+/// A recorder 1 m behind and 0.9 m to the left of the centre of gravity, in a vehicle that turns to the left
+/// by 90 °/s = 1.5708 rad/s: its ΔV along is 0.9 · 1.5708 = 1.4137 m/s = 5.089 km/h below that of the centre of
+/// gravity, and ΔV of the rest of the impact is added to both. Of 23 km/h backward, 17.911 km/h are left; of
+/// 4 km/h backward, nothing is.
+#[test]
+fn the_bound_of_a_cut_record_is_taken_to_the_centre() {
+    for (pulse, least) in
+        [("-2 -5 -9 -13 -16 -18 -20 -21 -22 -23", -17.911), ("0 -1 -1 -2 -2 -2 -3 -3 -3 -4", 0.0)]
+    {
+        let file = head_on(&format!(
+            "pulse = {{ time = \"10 20 30 40 50 60 70 80 90 100 ms\", delta_v_longitudinal = \"{pulse} km/h\" }}\n\
+             at = {{ x = \"-1 m\", y = \"0.9 m\" }}\nyaw_rate = \"90 deg/s\""
+        ));
+        let reading = recorders(&file.case).unwrap().vehicles[0].clone().unwrap();
+        let found = reading.least_delta_v.unwrap();
+        assert!(reading.delta_v.is_none() && reading.is_cut);
+        assert!((found.along.unwrap() * 3.6 - least).abs() < 5e-4 && found.left.is_none(), "{found:?}");
+    }
+}
+
 /// Whole miles: ±0.5 mph instead of ±0.5 km/h over 2 s, or the step in `errors.step`.
 #[test]
 fn the_step_of_the_speeds_counts_in_the_distance() {

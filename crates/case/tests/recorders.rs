@@ -118,6 +118,11 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
             "case.toml:2:18",
             "no table of ΔV",
         ),
+        (
+            "pre_crash = { text = \"CASEID,PCODE,PTIME,PVALUE\" }",
+            "case.toml:2:22",
+            "no table of speeds before the impact, with times and speeds, was found: the program read nothing",
+        ),
         ("pre_crash = { time = \"-1 0 s\" }", "case.toml:2:13", "pre_crash"),
         ("pre_crash = { text = \"a\", file = \"b\" }", "case.toml:2:13", "pre_crash"),
         (

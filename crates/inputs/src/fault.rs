@@ -33,7 +33,7 @@ pub enum FaultKind {
         /// The engine's reason.
         reason: String,
     },
-    /// No number of the case is a range.
+    /// No number of the case is a range or, with the key `avoid`, none outside of that table.
     NothingUncertain,
 }
 
@@ -70,6 +70,9 @@ impl Fault {
                 name(Purpose::Reconstruct)
             ),
             FaultKind::Refused { reason } => reason.clone(),
+            FaultKind::NothingUncertain if self.key == "avoid" => {
+                "no number outside of [avoid] is a range, so nothing is uncertain".to_owned()
+            }
             FaultKind::NothingUncertain => {
                 "no number of this case is a range, so nothing is uncertain".to_owned()
             }

@@ -3,8 +3,8 @@
 use std::fmt::Display;
 
 use recorder::{
-    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, RecorderTable, TextPlace,
-    TextRefusal, columns_table, read_rows,
+    Apart, Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, RecorderTable,
+    TextPlace, TextRefusal, columns_table, read_rows,
 };
 
 use crate::quantity::Quantity;
@@ -122,7 +122,8 @@ impl SeriesSource {
 
 /// The refusal of tables of which none is of the kind that is wanted.
 fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
-    let found = tables.iter().map(RecorderTable::headings).collect::<Vec<_>>().join("; ");
+    let headings: Vec<String> = tables.iter().map(RecorderTable::headings).collect();
+    let found = if headings.is_empty() { "nothing".to_owned() } else { headings.join("; ") };
     SeriesRefusal::NoneOfKind { wanted, found }
 }
 
@@ -166,8 +167,10 @@ impl OfTables for PreCrash {
         let mut others = tables;
         let mut table = others.remove(of_speeds);
         for other in others {
-            let is_before = other.is_before_impact();
-            if is_before && table.goes_with(&other) { table.join(other) } else { table.leave(other) }
+            match other.not_before_impact().or_else(|| table.not_with(&other)) {
+                None => table.join(other),
+                Some(reason) => table.leave(other, reason),
+            }
         }
         let record = Self::from_table(&table).map_err(|fault| {
             let row = fault.sample().and_then(|sample| table.rows.get(sample - 1).copied());
@@ -186,13 +189,15 @@ impl OfTables for CrashPulse {
         for next in pulses {
             let same = tables.iter_mut().find(|table| table.shares_a_quantity(&next));
             match same {
-                Some(table) if table.goes_with(&next) => table.join(next),
-                Some(table) => table.leave(next),
+                Some(table) => match table.not_with(&next) {
+                    None => table.join(next),
+                    Some(reason) => table.leave(next, reason),
+                },
                 None => tables.push(next),
             }
         }
         if let Some(first) = tables.first_mut() {
-            others.into_iter().for_each(|other| first.leave(other));
+            others.into_iter().for_each(|other| first.leave(other, Apart::HasNoDeltaV));
         }
         let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
         let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());

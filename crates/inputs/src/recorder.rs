@@ -175,9 +175,22 @@ impl Recorder {
 
     /// A lower bound of ΔV, if the record does not contain all of it: because it ends before the impact does,
     /// or because the recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
+    ///
+    /// Each stored component is a bound at the place of the recorder. The whole change of the yaw rate, which
+    /// the case gives, takes the bound to the centre of gravity; of a component whose sense this changes, it
+    /// leaves none but 0.
     #[must_use]
     pub fn least_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
-        self.delta_v(axes, before).filter(|(_, complete)| !complete).map(|(told, _)| told)
+        let (told, _) = self.delta_v(axes, before).filter(|(_, complete)| !complete)?;
+        if !told.is_of_table {
+            return Some(told);
+        }
+        let [along, left] = self.stored_by_pulse()?.0;
+        let bound = |stored: Option<f64>, at_center: Option<f64>| {
+            let (stored, at_center) = stored.zip(at_center)?;
+            Some(if stored * at_center > 0.0 { at_center } else { 0.0 })
+        };
+        Some(RecordersDeltaV { along: bound(along, told.along), left: bound(left, told.left), ..told })
     }
 
     /// One of several records, as the record of a recorder that has one.
@@ -202,10 +215,7 @@ impl Recorder {
             let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
             return Some((RecordersDeltaV { along, left, is_of_table: false }, !self.incomplete));
         }
-        // Up to the greatest ΔV, the record is of the impact.
-        let span = self.during_impact()?.span(PulseRule::GreatestDeltaV)?;
-        // A recorder stores what is to the right as positive.
-        let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
+        let ([along, left], complete) = self.stored_by_pulse()?;
         let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si() - before));
         let (along, left) = match (self.at, turned) {
             (Some(at), Some(turned)) => {
@@ -217,7 +227,17 @@ impl Recorder {
             }
             _ => (along, left),
         };
-        Some((RecordersDeltaV { along, left, is_of_table: true }, span.complete && !self.incomplete))
+        Some((RecordersDeltaV { along, left, is_of_table: true }, complete))
+    }
+
+    /// (m/s) ΔV by the pulse at the place of the recorder, along and to the left, and whether the record
+    /// contains all of it.
+    fn stored_by_pulse(&self) -> Option<([Option<f64>; 2], bool)> {
+        // Up to the greatest ΔV, the record is of the impact.
+        let span = self.during_impact()?.span(PulseRule::GreatestDeltaV)?;
+        // A recorder stores what is to the right as positive.
+        let stored = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
+        Some((stored, span.complete && !self.incomplete))
     }
 }
 

@@ -68,6 +68,8 @@ pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, Spe
 pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };
-pub use table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
+pub use table::{
+    Apart, CellDoubt, LeftTable, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal,
+};
 pub use text::{columns_table, read_rows, read_tables};
 pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};

@@ -146,6 +146,53 @@ impl fmt::Display for CellDoubt {
     }
 }
 
+/// Why a table of a text was not joined to the one that was read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Apart {
+    /// It has a ΔV, and a table before the impact was wanted.
+    HasDeltaV,
+    /// It has no ΔV, and a pulse was wanted.
+    HasNoDeltaV,
+    /// It goes beyond the impact.
+    AfterImpact {
+        /// (s) its first time after the impact.
+        time: f64,
+    },
+    /// It has a quantity of the other table, at times of it.
+    GivenTwice {
+        /// The quantity.
+        channel: Channel,
+        /// (s) from where on both have times.
+        time: f64,
+    },
+}
+
+impl fmt::Display for Apart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::HasDeltaV => write!(f, "the table has ΔV, which belongs into `pulse`"),
+            Self::HasNoDeltaV => write!(f, "the table has no ΔV"),
+            Self::AfterImpact { time } => write!(f, "the table has a time after the impact, {time:.3} s"),
+            Self::GivenTwice { channel, time } => {
+                write!(
+                    f,
+                    "the table that was read has a {} for the same times, from {time:.3} s on",
+                    channel.name()
+                )
+            }
+        }
+    }
+}
+
+/// The headings of a table of the same text that was not read, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftTable {
+    /// Its headings other than the time.
+    pub headings: Vec<String>,
+    /// Why.
+    pub reason: Apart,
+}
+
 /// A table of a recorder: times rise, values are SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderTable {
@@ -158,6 +205,8 @@ pub struct RecorderTable {
     /// Headings that were not taken for a quantity, or for one that another heading names better, and lines
     /// that were not read.
     pub ignored: Vec<(String, TextPlace)>,
+    /// Other tables of the text, whose headings are among the ignored ones.
+    pub left: Vec<LeftTable>,
     /// Cells without a value.
     pub doubts: Vec<CellDoubt>,
     /// Whether the text gives times before the impact as positive numbers.
@@ -210,10 +259,22 @@ impl RecorderTable {
         other.quantities().any(|column| self.column(column.channel).is_some())
     }
 
-    /// Whether all its times are before the impact, or at it, and it has no ΔV.
+    /// Why it is no table before the impact, if it is none.
     #[must_use]
-    pub fn is_before_impact(&self) -> bool {
-        !self.is_pulse() && self.times().last().is_some_and(|last| *last <= 0.0)
+    pub fn not_before_impact(&self) -> Option<Apart> {
+        if self.is_pulse() {
+            return Some(Apart::HasDeltaV);
+        }
+        self.times().into_iter().find(|time| *time > 0.0).map(|time| Apart::AfterImpact { time })
+    }
+
+    /// Why another table is not of the same record, if it is of another.
+    #[must_use]
+    pub fn not_with(&self, other: &Self) -> Option<Apart> {
+        let shared = other.quantities().find(|column| self.column(column.channel).is_some())?;
+        let [own, others] = [self, other].map(|table| table.times().first().copied());
+        let time = own?.max(others?);
+        (!self.goes_with(other)).then_some(Apart::GivenTwice { channel: shared.channel, time })
     }
 
     /// Whether another table is of the same record: it has other quantities, or continues where this one
@@ -250,14 +311,18 @@ impl RecorderTable {
         }
         self.rows = rows.into_iter().map(|(_, place)| place).collect();
         self.ignored.extend(other.ignored);
+        self.left.extend(other.left);
         self.doubts.extend(other.doubts);
         self.sort();
     }
 
-    /// Lists the quantities of a table that is not used among the ignored ones.
-    pub fn leave(&mut self, other: Self) {
+    /// Lists the quantities of a table that is not used among the ignored ones, with the reason.
+    pub fn leave(&mut self, other: Self, reason: Apart) {
         let headings = other.quantities().map(|column| (column.heading.clone(), column.place));
         self.ignored.extend(headings);
+        let headings = other.quantities().map(|column| column.heading.clone()).collect();
+        self.left.push(LeftTable { headings, reason });
+        self.left.extend(other.left);
         self.ignored.extend(other.ignored);
         self.sort();
     }
@@ -387,6 +452,17 @@ pub enum TextRefusal {
         /// The columns by which they can be chosen.
         known: String,
     },
+    /// A long table without a code of NHTSA.
+    #[error(
+        "{place}: no PCODE begins with 1, as before the impact, or 2, as during it; there are {known}; write NHTSA's codes, \
+         or a table with a column for each quantity"
+    )]
+    NoCodes {
+        /// The place of the first of them.
+        place: TextPlace,
+        /// The codes that there are.
+        known: String,
+    },
     /// A choice of rows in a table whose rows are times.
     #[error(
         "`rows` chooses from a long table of NHTSA, with the columns PCODE, PTIME and PVALUE; this table is not one: leave `rows` out"
@@ -474,6 +550,7 @@ impl TextRefusal {
             | Self::Unit { place, .. }
             | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
+            | Self::NoCodes { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeFar { place, .. }
             | Self::TimeTwice { place, .. }

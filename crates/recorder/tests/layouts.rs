@@ -1,8 +1,8 @@
 //! Tables in the layouts of printed reports, with invented numbers, as they copy out of a PDF.
 
 use recorder::{
-    Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table, read_rows,
-    read_tables,
+    Apart, Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table,
+    read_rows, read_tables,
 };
 
 fn one(text: &str) -> RecorderTable {
@@ -430,6 +430,12 @@ fn rows_of_several_records_or_of_none_are_refused() {
         let refusal = read_rows(text, rows).unwrap_err().to_string();
         assert!(refusal.contains(words), "{rows}: {refusal}");
     }
+    // Words in place of NHTSA's codes.
+    let words = "CASEID,VEHNO,PCODE,PTIME,PVALUE\n7,1,Vehicle Speed,-1,60\n7,1,Service Brake,-1,0\n";
+    let refusal = read_rows(words, "VEHNO 1").unwrap_err().to_string();
+    let told = "line 2, column 5: no PCODE begins with 1, as before the impact, or 2, as during it; there are Service Brake, \
+                Vehicle Speed; ";
+    assert!(refusal.starts_with(told), "{refusal}");
     // A time that occurs twice in one record, and a cell that is not a time.
     let twice = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,-1.0,51");
     assert!(
@@ -790,7 +796,7 @@ fn tables_of_one_record_are_joined_by_their_times() {
         let mut tables = read_tables(&text).unwrap();
         let at = tables.iter().position(RecorderTable::is_pre_crash).unwrap();
         let mut table = tables.remove(at);
-        assert!(table.goes_with(&tables[0]) && tables[0].is_before_impact());
+        assert!(table.goes_with(&tables[0]) && tables[0].not_before_impact().is_none());
         table.join(tables.remove(0));
         assert_eq!(table.times(), [-1.0, -0.6, -0.5, 0.0]);
         let kmh = |value: Option<f64>| value.map(|value| (value * 3.6).round());
@@ -804,8 +810,13 @@ fn tables_of_one_record_are_joined_by_their_times() {
     // another.
     let later = "Times (sec) Vehicle Speed (km/h)\n0.5 40\n1.0 30\n";
     let [mut one, two] = [one(speeds), one(later)];
-    assert!(one.goes_with(&two) && two.goes_with(&one) && !two.is_before_impact() && !one.goes_with(&one));
-    one.leave(two.clone());
+    assert!(one.goes_with(&two) && two.goes_with(&one) && !one.goes_with(&one));
+    let again = Apart::GivenTwice { channel: Channel::Speed, time: -1.0 };
+    assert_eq!([one.not_with(&one), one.not_with(&two)], [Some(again), None]);
+    let after = two.not_before_impact().unwrap();
+    assert_eq!(after, Apart::AfterImpact { time: 0.5 });
+    one.leave(two.clone(), after);
+    assert_eq!(one.left[0].headings, ["Vehicle Speed (km/h)"]);
     assert_eq!(one.ignored[0].0, "Vehicle Speed (km/h)");
     one.join(two);
     assert_eq!(one.times(), [-1.0, -0.5, 0.0, 0.5, 1.0]);

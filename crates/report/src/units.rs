@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 pub(crate) use ::drawing::{number, significant};
 use case::{Case, Dimension, UnitSystem};
+use recorder::Channel;
 
 /// The units of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,13 +38,31 @@ const SLUG: f64 = POUND_FORCE / FOOT;
 const MILE_PER_HOUR: f64 = 0.447_04;
 const DEGREE: f64 = PI / 180.0;
 
-/// Whether most of a case's speeds are in miles per hour.
+/// Whether more of a case's speeds, and of the columns of speeds in its recorders, are in miles per hour than
+/// in km/h. A speed in m/s, such as that of a pedestrian, tells nothing about the roads.
 fn are_speeds_in_mph(case: &Case) -> bool {
     let inputs = case.inputs();
     let units = inputs.iter().filter_map(|input| input.unit);
-    let speeds: Vec<&str> =
+    let of_numbers =
         units.filter(|unit| unit.dimension() == Dimension::Speed).map(|unit| unit.spelling()).collect();
-    2 * speeds.iter().filter(|spelling| **spelling == "mph").count() > speeds.len()
+    let speeds = [of_numbers, recorded_speeds(case)].concat();
+    let count = |name: &str| speeds.iter().filter(|spelling| **spelling == name).count();
+    count("mph") > count("km/h")
+}
+
+/// The units of the columns of speeds and of ΔV in the recorders of a case.
+fn recorded_speeds(case: &Case) -> Vec<&str> {
+    let recorders = case.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref());
+    let records = recorders.flat_map(|recorder| {
+        std::iter::once(recorder).chain(recorder.records.iter().map(|record| &record.stored))
+    });
+    let tables = records.flat_map(|record| {
+        let before = record.pre_crash.iter().flat_map(|given| &given.tables);
+        before.chain(record.pulse.iter().flat_map(|given| &given.tables))
+    });
+    let of_speed = [Channel::Speed, Channel::DeltaVLongitudinal, Channel::DeltaVLateral];
+    let columns = tables.flat_map(|table| &table.columns);
+    columns.filter(|column| of_speed.contains(&column.channel)).map(|column| column.unit.name).collect()
 }
 
 /// A quantity that can be printed.

@@ -95,6 +95,8 @@ tangential = "critical"
     assert_eq!(units(text), Units::Uk);
     assert_eq!(units(&text.replace("mph", "km/h")), Units::Si);
     assert_eq!(units(&text.replace("30 mph", "48 km/h")), Units::Si);
+    // A speed in m/s counts neither way.
+    assert_eq!(units(&text.replace("30 mph", "14 m/s")), Units::Uk);
     let us = text.replace(" kg\"", " lb\"").replace(" m\"", " ft\"");
     assert_eq!(units(&us), Units::Us);
     // 1 mph is 0.44704 m/s.
@@ -104,6 +106,24 @@ tangential = "critical"
     assert!(text.contains("1,000.0 kg") && text.contains("30.00 mph (13.41 m/s)"), "{text}");
     assert!([" N·s", " J ", " kg·m²", "2.000 m "].iter().all(|unit| text.contains(unit)), "{text}");
     assert!(!text.contains("km/h") && !text.contains("ft/s"), "{text}");
+}
+
+/// A case may have its speeds in the tables of its recorders alone: more columns in mph than in km/h count.
+#[test]
+fn the_tables_of_recorders_tell_the_units() {
+    let pulse = |unit: &str| {
+        format!("pulse = {{ time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -9 -9 {unit}\" }}\n")
+    };
+    let before = |unit: &str| format!("pre_crash = {{ time = \"-1 0 s\", speed = \"30 29 {unit}\" }}\n");
+    for (lines, units) in [
+        (before("mph"), Units::Uk),
+        (before("mph") + &pulse("mph"), Units::Uk),
+        (before("km/h"), Units::Si),
+        (before("mph") + &pulse("km/h"), Units::Si),
+    ] {
+        let file = CaseFile::parse("uk.toml", &format!("[vehicle1.recorder]\n{lines}")).unwrap();
+        assert_eq!(Units::of_case(&file.case), units, "{lines}");
+    }
 }
 
 /// Average crush of a car that was not inspected, by a force balance over the same width: the example of

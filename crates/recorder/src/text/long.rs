@@ -146,6 +146,12 @@ pub(crate) fn tables(text: &str, wanted: &str) -> Result<Option<LongTables>, Tex
             found.push(table(&rows, [code, time, value], unit)?);
         }
     }
+    if let Some(first) = rows.first().filter(|_| found.is_empty()) {
+        return Err(TextRefusal::NoCodes {
+            place: cell(first, code).place,
+            known: listed(&long.values(&rows, CODE)),
+        });
+    }
     Ok(Some(found))
 }
 

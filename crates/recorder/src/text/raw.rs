@@ -229,7 +229,7 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
         return Err(TextRefusal::NoQuantity { place: time_place, found, known: KNOWN });
     }
     doubts.sort_by_key(|doubt| doubt.place);
-    Ok(RecorderTable { layout, columns: read, rows, ignored, doubts, counted_down })
+    Ok(RecorderTable { layout, columns: read, rows, ignored, left: Vec::new(), doubts, counted_down })
 }
 
 /// The columns with the most certain headings for each quantity, and the headings of the others.

@@ -1,7 +1,7 @@
 //! A case judged without solving it, as JSON.
 
 use analysis::{Ability, Judgement};
-use case::{CaseFile, Purpose, Unit, UnitSystem};
+use case::{CaseFile, Faults, Purpose, Unit, UnitSystem};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -10,6 +10,7 @@ use super::recorder::which;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
 use crate::pictures::drawn;
+use crate::sections::judgement::{RECORDER, recorder_faults};
 use crate::understood::{choices, converted, message, numbers, spread};
 use crate::units::Units;
 
@@ -76,6 +77,17 @@ struct AssumptionBlock {
 pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
     let case = &file.case;
     let mut ranges = case.ranges.iter().peekable();
+    let problems = |faults: &Faults| -> Vec<String> {
+        let diagnostics = file.diagnostics(faults, &PROGRAM);
+        diagnostics.list().iter().map(|one| one.problem().to_string()).collect()
+    };
+    let of_recorder = recorder_faults(case).map(|faults| CommandBlock {
+        command: RECORDER,
+        runs: faults.is_none(),
+        obstacles: faults.as_ref().map(problems).unwrap_or_default(),
+        draws: None,
+        left_aside: Vec::new(),
+    });
     let document = Document {
         title: title(case),
         axes: case.axes.name(),
@@ -90,15 +102,12 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
                 CommandBlock {
                     command: purpose.name(),
                     runs: obstacle.is_none(),
-                    obstacles: obstacle
-                        .iter()
-                        .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
-                        .map(|one| one.problem().to_string())
-                        .collect(),
+                    obstacles: obstacle.map(problems).unwrap_or_default(),
                     draws,
                     left_aside: left_aside.clone(),
                 }
             })
+            .chain(of_recorder)
             .collect(),
         answers_most: judgement.answers_most().map(Purpose::name),
         inputs: numbers(case)

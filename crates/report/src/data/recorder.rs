@@ -36,7 +36,8 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 /// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
 /// {"ends_before_impact": …, "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to
-/// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left.
+/// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left, as is
+/// `least_delta_v_at_center`, its lower bound by a record that does not hold all of the impact.
 ///
 /// # Errors
 /// If serialisation fails, which no record causes.
@@ -108,6 +109,10 @@ fn table(table: &RecorderTable) -> Value {
             "values": column.values,
         })),
         "ignored": list(&table.ignored, |(heading, _)| heading),
+        "left": list(&table.left, |left| json!({
+            "headings": left.headings,
+            "reason": left.reason.to_string(),
+        })),
         "without_value": list(&table.doubts, |doubt| json!({
             "line": doubt.place.line,
             "column": doubt.place.column,
@@ -159,6 +164,7 @@ fn pulse(found: &VehicleReading) -> Option<Value> {
         "ends_before_impact": found.is_cut,
         "spans": list(&found.spans, span),
         "delta_v_at_center": found.delta_v.map(|told| [told.along, told.left]),
+        "least_delta_v_at_center": found.least_delta_v.map(|told| [told.along, told.left]),
         "accelerations": list(pulse.accelerations(), |(time, [longitudinal, lateral])| json!({
             "time": time,
             "longitudinal": longitudinal,

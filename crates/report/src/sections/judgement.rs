@@ -1,7 +1,7 @@
 //! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
 
-use analysis::{Ability, Judgement, OfImpact, SeenWarning};
-use case::{Case, CaseFile, Purpose, UnitSystem};
+use analysis::{Ability, Failure, Judgement, OfImpact, SeenWarning};
+use case::{Case, CaseFile, Faults, Purpose, UnitSystem};
 
 use crate::PROGRAM;
 use crate::document::{Block, Column, Document, Row, Table, Width};
@@ -59,6 +59,35 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     page
 }
 
+/// The command that evaluates recorders alone. It is not among the purposes of a case.
+pub(crate) const RECORDER: &str = "recorder";
+
+/// For a case with a table of a recorder, the faults by which that command cannot run: none if it can.
+pub(crate) fn recorder_faults(case: &Case) -> Option<Option<Faults>> {
+    let mut recorders = case.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref());
+    let has_table = recorders.any(|recorder| {
+        recorder.pre_crash.is_some() || recorder.pulse.is_some() || !recorder.records.is_empty()
+    });
+    has_table.then(|| match analysis::recorders(case) {
+        Err(Failure::Case(faults)) => Some(faults),
+        _ => None,
+    })
+}
+
+/// The problems of faults, with what to write instead. Help that applies to both vehicles is given once,
+/// after the last problem that it solves.
+fn problems(file: &CaseFile, faults: &Faults) -> Vec<Row> {
+    let diagnostics = file.diagnostics(faults, &PROGRAM);
+    let problems: Vec<_> =
+        diagnostics.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+    let row = |(i, (problem, help)): (usize, &(String, Option<String>))| {
+        let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
+        let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
+        Row::Detail(format!("{problem}{}", help.unwrap_or_default()))
+    };
+    problems.iter().enumerate().map(row).collect()
+}
+
 fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
     let mut table = Table::new("Commands", columns);
@@ -93,18 +122,15 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
             continue;
         }
         table.row([purpose.to_string(), "cannot run".to_owned()]);
-        // Help that applies to both vehicles is given once, after the last problem that it solves.
-        let problems: Vec<_> = file
-            .diagnostics(obstacle, &PROGRAM)
-            .list()
-            .iter()
-            .map(|one| (one.problem().to_string(), one.problem().help()))
-            .collect();
-        for (i, (problem, help)) in problems.iter().enumerate() {
-            let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
-            let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
-            table.rows.push(Row::Detail(format!("{problem}{}", help.unwrap_or_default())));
+        table.rows.extend(problems(file, obstacle));
+    }
+    match recorder_faults(&file.case) {
+        Some(None) => table.row([RECORDER.to_owned(), "has all that it needs".to_owned()]),
+        Some(Some(faults)) => {
+            table.row([RECORDER.to_owned(), "cannot run".to_owned()]);
+            table.rows.extend(problems(file, &faults));
         }
+        None => {}
     }
     table
 }

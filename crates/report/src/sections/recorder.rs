@@ -4,8 +4,8 @@ use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    KnownImpact, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
-    force_direction,
+    KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable,
+    SpeedErrorSource, force_direction,
 };
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
@@ -59,25 +59,37 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         let [low, high] = speed.interval(0.95);
         lines.push(format!(
             "Speed of vehicle {id} at the impact: {} (95 %: {} to {})",
-            road(speed.mean),
+            road(speed.quantile(0.5)),
             units.plain(Measure::RoadSpeed, low),
             road(high)
         ));
     }
     if let Some(span) = leading(&found.spans) {
-        let size = road(span.resultant());
-        lines.push(if let Some(told) = found.delta_v.filter(|_| is_of_center(found)) {
-            let size = road(told.size());
-            format!("ΔV of vehicle {id}: {size} at its centre of gravity, at {}", milliseconds(span.end))
-        } else if span.complete {
-            format!("ΔV of vehicle {id}: {size}, at {}", milliseconds(span.end))
+        let of_center = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
+        // A bound of 0 says nothing; that at the place of the recorder does.
+        let of_center = of_center.filter(|told| span.complete || told.size() > 0.0);
+        let size = road(of_center.map_or_else(|| span.resultant(), |told| told.size()));
+        let axis = match span.delta_v {
+            [Some(_), None] => " (longitudinal only)",
+            [None, Some(_)] => " (lateral only)",
+            _ => "",
+        };
+        let place = if of_center.is_some() {
+            " at its centre of gravity"
+        } else if found.recorder.at.is_some() {
+            " at the place of its recorder"
+        } else {
+            ""
+        };
+        lines.push(if span.complete {
+            format!("ΔV of vehicle {id}: {size}{axis}{place}, at {}", milliseconds(span.end))
         } else {
             let why = if found.recorder.incomplete {
                 "the recorder did not finish the record"
             } else {
                 "its record ends before the impact does"
             };
-            format!("ΔV of vehicle {id}: at least {size}, as {why}")
+            format!("ΔV of vehicle {id}: at least {size}{axis}{place}, as {why}")
         });
     }
     lines
@@ -221,6 +233,11 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
         ]);
     }
     rows.notes.push(format!("{}: {}.", from(source), table.layout.name()));
+    for LeftTable { headings, reason } in &table.left {
+        let headings: Vec<String> =
+            headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
+        rows.notes.push(format!("Not read: {}, as {reason}.", headings.join(", ")));
+    }
     page.push(rows);
     if table.counted_down {
         page.paragraph("Its times count down to the impact, and are read as negative.");
@@ -423,7 +440,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
             NONE.to_owned(),
         ]);
     }
-    table.row(["at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
+    table.row(["mean at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
+    let median = "median at the impact: as above".to_owned();
+    table.row([median, plain(speed.quantile(0.5)), NONE.to_owned(), NONE.to_owned()]);
     let errors = &found.errors;
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
@@ -540,7 +559,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             page.paragraph(alone);
         }
     }
-    if recorder.at.is_some() && found.delta_v.is_some() {
+    if recorder.at.is_some() && found.delta_v.or(found.least_delta_v).is_some() {
         page.paragraph(place(found, file.case.axes, units));
     }
 }
@@ -581,7 +600,8 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 
 /// The position of the recorder, and ΔV at the centre of gravity.
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
-    let (Some(at), Some(told)) = (found.recorder.at, found.delta_v.filter(|_| is_of_center(found))) else {
+    let told = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
+    let (Some(at), Some(told)) = (found.recorder.at, told) else {
         return "ΔV is that at the place of the recorder: with `yaw_rate` it is converted to that at the \
                 centre of gravity."
             .to_owned();
@@ -589,14 +609,24 @@ fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
         format!("{} {}", units.format(measure, value.abs()), if value < 0.0 { negative } else { positive })
     };
-    let along = told.along.map(|along| sided(Measure::RoadSpeed, along, ["forward", "backward"]));
-    let left = told.left.map(|left| sided(Measure::RoadSpeed, left, ["to the left", "to the right"]));
+    // A bound of 0 has no sense.
+    let is_told = |part: &f64| found.delta_v.is_some() || *part != 0.0;
+    let part = |part: Option<f64>, senses: [&str; 2]| {
+        part.filter(is_told).map(|part| sided(Measure::RoadSpeed, part, senses))
+    };
+    let along = part(told.along, ["forward", "backward"]);
+    let left = part(told.left, ["to the left", "to the right"]);
     let parts: Vec<String> = along.into_iter().chain(left).collect();
+    let bound = if found.delta_v.is_some() { "" } else { "at least " };
+    let there = if parts.is_empty() {
+        "the record gives no lower bound of ΔV".to_owned()
+    } else {
+        format!("ΔV is {bound}{}", parts.join(" and "))
+    };
     format!(
-        "The recorder is {} and {} of the centre of gravity, where ΔV is {} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
+        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
          impact less that before).",
         sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
         sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
-        parts.join(" and "),
     )
 }
