@@ -95,8 +95,8 @@ impl Analysis {
         }
     }
 
-    /// The checks that refute this exact solution: those that compare it with evidence or with what is possible
-    /// at all, and not with the coefficients of the impact law, which are assumed.
+    /// The checks that refute this exact solution: those that compare it with evidence or with what is
+    /// possible at all, and not with the coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
         refuting(&self.checks)
     }

@@ -106,7 +106,7 @@ pub enum Warning {
         /// The checks that fail.
         checks: Vec<Check>,
     },
-    /// The velocities after the impact are not those of one body, as which the case says that the vehicles left.
+    /// The case says that the vehicles left as one body, but their velocities are not those of one.
     NotLocked {
         /// (m/s) the speed at which their CGs part; negative if they close.
         parting: f64,

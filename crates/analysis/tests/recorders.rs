@@ -227,9 +227,9 @@ fn an_unfinished_record_is_a_lower_bound() {
 }
 
 /// A recorder 1 m behind and 0.9 m to the left of the centre of gravity, in a vehicle that turns to the left
-/// by 90 °/s = 1.5708 rad/s: its ΔV along is 0.9 · 1.5708 = 1.4137 m/s = 5.089 km/h below that of the centre of
-/// gravity, and ΔV of the rest of the impact is added to both. Of 23 km/h backward, 17.911 km/h are left; of
-/// 4 km/h backward, nothing is.
+/// by 90 °/s = 1.5708 rad/s: its ΔV along is 0.9 · 1.5708 = 1.4137 m/s = 5.089 km/h below that of the centre
+/// of gravity, and ΔV of the rest of the impact is added to both. Of 23 km/h backward, 17.911 km/h are left;
+/// of 4 km/h backward, nothing is.
 #[test]
 fn the_bound_of_a_cut_record_is_taken_to_the_centre() {
     for (pulse, least) in

@@ -701,8 +701,8 @@ find = ["vehicle1.speed", "vehicle2.speed"]
     assert_eq!(of("1600 kg"), []);
 }
 
-/// CG 1 lies at (−2, −0.3) m from C, and CG 2 at (0.8, −0.3): along x, 13.5437 cos 16.348° − 8.5566 cos 12.992°
-/// is their parting speed.
+/// CG 1 lies at (−2, −0.3) m from C, and CG 2 at (0.8, −0.3), so that they part along x, with
+/// 13.5437 cos 16.348° − 8.5566 cos 12.992°.
 #[test]
 fn a_wreck_whose_parts_separate_is_told() {
     let text = |speed: &str, direction: &str| {

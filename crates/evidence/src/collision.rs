@@ -461,8 +461,8 @@ pub struct RecorderPlace {
 }
 
 impl RecorderPlace {
-    /// (m/s) the components of ΔV there, forward and left, from those of the CG and the yaw rate (rad/s) after
-    /// the impact.
+    /// (m/s) the components of ΔV there, forward and left, from those of the CG and the yaw rate (rad/s)
+    /// after the impact.
     #[must_use]
     pub fn sensed(&self, [along, left]: [f64; 2], yaw_rate: f64) -> [f64; 2] {
         let (turned, [x, y]) = (yaw_rate - self.yaw_rate, self.at);

@@ -232,8 +232,8 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
 }
 
-/// A recorder 2 m behind the CG and 1 m to the left, in a vehicle that loses 6.6 m/s and a yaw rate of 1.5 rad/s:
-/// ΔΩ × r = (1.5, 3) m/s, so it stores (−5.1, 3) m/s.
+/// A recorder 2 m behind the CG and 1 m to the left, in a vehicle that loses 6.6 m/s and a yaw rate of
+/// 1.5 rad/s: ΔΩ × r = (1.5, 3) m/s, so it stores (−5.1, 3) m/s.
 #[test]
 fn a_recorder_away_from_the_centre_of_gravity_stores_the_rotation_too() {
     let mut collision = rear_end();

@@ -141,8 +141,8 @@ fn a_speed_that_falls_by_more_than_g_may_be_of_the_impact() {
     assert_eq!(ImpactSpeed::of(&record(&within), &ImpactSpeedErrors::default()).unwrap().steep_fall, None);
 }
 
-/// From 1 g on, a fall counts the more as slip or impact the steeper it is, up to 1.2 g. Half-way, at 1.1 g, the
-/// last sample counts half: of one, half of the 50 % for the impact; of several, half.
+/// From 1 g on, a fall counts the more as slip or impact the steeper it is, up to 1.2 g. Half-way, at 1.1 g,
+/// the weight is half: of one sample, half of the 50 % for the impact; of several, half.
 #[test]
 fn a_fall_of_little_more_than_g_counts_a_little() {
     let of = |speeds: &[f64]| {

@@ -28,8 +28,8 @@ fn an_axis_that_ends_early_was_stored() {
 }
 
 /// The same recorder with a complete record, one that was cut off, and one whose place makes no bound of its
-/// ΔV: by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing. Without
-/// the yaw rate, ΔV is that at the place of the recorder.
+/// ΔV: by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing.
+/// Without the yaw rate, ΔV is that at the place of the recorder.
 #[test]
 fn the_headline_says_where_delta_v_holds() {
     let cut = "-2 -5 -9 -13 -16 -18 -20 -21 -22 -23 km/h";

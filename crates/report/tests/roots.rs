@@ -5,16 +5,23 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
+use analysis::Analysis;
 use case::CaseFile;
 use serde_json::Value;
 
-/// The speed found in the JSON of a reconstruction.
 #[track_caller]
-fn found(name: &str) -> Value {
+fn solved(name: &str) -> (CaseFile, Analysis) {
     let path = format!("{}/../../fixtures/roots/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
     let file = CaseFile::parse(&path, &text).unwrap_or_else(|error| panic!("{error}"));
     let analysis = analysis::reconstruct(&file.case).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+    (file, analysis)
+}
+
+/// The speed found in the JSON of a reconstruction.
+#[track_caller]
+fn found(name: &str) -> Value {
+    let (file, analysis) = solved(name);
     let mut document: Value = serde_json::from_str(&report::json(&file, &analysis).unwrap()).unwrap();
     document["found"].take()
 }
@@ -42,6 +49,16 @@ fn the_only_root_is_the_answer() {
 #[test]
 fn the_slower_approach_is_the_answer() {
     assert_roots("hidden-root", &[(-69.460_441_049_538_96, 1e-9), (-69.722, 5e-4)]);
+}
+
+/// The first lines name every speed.
+#[test]
+fn the_head_names_all_speeds() {
+    let (file, analysis) = solved("fraction-moment");
+    let text = report::results(&file.case, &analysis, report::Units::Si).text();
+    // 8.4577… and 12.4420 m/s
+    let others = "Possible as well, with a faster approach: -30.4 km/h, -44.8 km/h; the evidence decides";
+    assert!(text.lines().take(8).any(|line| line == others), "{text}");
 }
 
 #[test]

@@ -63,8 +63,8 @@ impl<'a> Subject<'a> {
         self.case.surface.as_ref().map(|surface| surface.friction)
     }
 
-    /// (SI) the standard deviation of the range of a number, if it has one: as given, even if the number cannot
-    /// be below zero.
+    /// (SI) the standard deviation of the range of a number, if it has one: as given, even if the number
+    /// cannot be below zero.
     fn sd(self, of: &str) -> Option<f64> {
         let key = self.key(of);
         let range = self.ranges.iter().find(|range| range.input.path == key)?;

@@ -69,7 +69,7 @@ const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
 const CONTACT_SD: f64 = 0.10;
 /// (kg) standard deviation of a mass without a range: 65 lb, Smith and Noga, SAE 821169 (1982).
 const MASS_SD: f64 = 65.0 * 0.453_592_37;
-/// (–) standard deviation of the mass of a truck or trailer without a range, as a share of it: the load of few is
+/// (–) standard deviation of the mass of a truck or trailer without a range, as a share of it: few loads are
 /// weighed.
 const LOAD_SHARE: f64 = 0.05;
 /// (–) standard deviation of the logarithm of the friction of the ground.
