@@ -372,7 +372,7 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
         Assumed::Load => "5 % of it, as few loads are weighed; chosen",
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
-        Assumed::Speed => "any speed, before the severity is applied; chosen",
+        Assumed::Speed => "before the severity and the weight of the speeds are applied; chosen",
         Assumed::Coefficient if unknown.key == "impact.restitution" => {
             "about the value of the case; spread: Brach, Smith and Tsongas, Rose"
         }

@@ -494,6 +494,14 @@ impl<'a> Page<'a> {
                 folded(&format!("median {median}, std. dev. {} of ln", significant(severity.ln_sd, 2)), 30),
                 "docs/calibration.md".to_owned(),
             ]);
+            if severity.speed.is_finite() {
+                let scale = self.units.format(Measure::RoadSpeed, severity.speed);
+                table.row([
+                    "speeds of both vehicles".to_owned(),
+                    folded(&format!("weight exp(−(v₁² + v₂²)/2s²), s = {scale}: faster is rarer"), 30),
+                    "docs/calibration.md".to_owned(),
+                ]);
+            }
         }
         for unknown in &self.estimated.unknown {
             let Some(assumed) = unknown.assumed else { continue };
