@@ -98,7 +98,7 @@ fn has_crush(vehicle: &GivenVehicle) -> bool {
 /// The contradictions between evidence of the case and an impact whose speeds (m/s) were found without it.
 pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Vec<Warning> {
     let Some(exchange) = analysis.exchange() else { return Vec::new() };
-    let (case, _) = with_records_of_impact(case);
+    let case = with_records_of_impact(case).case;
     let case = case.as_ref();
     let mut warnings = Vec::new();
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
@@ -209,7 +209,7 @@ fn below_record(
 
 /// The same for an estimate, of which `greatest` gives the upper end of the 95 % interval of ΔV (m/s).
 pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
-    let (case, _) = with_records_of_impact(case);
+    let case = with_records_of_impact(case).case;
     let of = |id: VehicleId| below_record(&case, id, |_| greatest(id), |_, _| LEAST_DIFFERENCE);
     VehicleId::ALL.into_iter().filter_map(of).collect()
 }

@@ -44,7 +44,7 @@ use crate::failure::Failure;
 use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::SPEED;
-use crate::recorded::with_records_of_impact;
+use crate::recorded::{RecordsOfImpact, with_records_of_impact};
 use crate::seen::SeenWarning;
 use crate::solve;
 use crate::thresholds::RECORDER_SPEED_ERROR;
@@ -249,8 +249,8 @@ impl Avoidance {
     /// # Errors
     /// Those of [`avoid`].
     pub fn again(&self, case: &Case, plan: Option<&AvoidPlan>) -> Result<Self, Failure> {
-        let case = &*with_records_of_impact(case).0;
-        found(case, &case.avoidance()?, self.told.clone(), plan)
+        let given = with_records_of_impact(case);
+        found(&given, &given.case.avoidance()?, self.told.clone(), plan)
     }
 }
 
@@ -260,12 +260,12 @@ impl Avoidance {
 /// # Errors
 /// [`Failure`] if the case lacks something or contradicts itself.
 pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
-    let case = &*with_records_of_impact(case).0;
-    let form = case.avoidance()?;
+    let given = with_records_of_impact(case);
+    let form = given.case.avoidance()?;
     match form.speed {
         SpeedForm::Sought => Ok(None),
         SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => {
-            found(case, &form, None, None).map(Some)
+            found(&given, &form, None, None).map(Some)
         }
     }
 }
@@ -279,27 +279,24 @@ pub fn avoid(
     plan: &AvoidPlan,
     progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Avoidance, Failure> {
-    let uncertain = VehicleId::ALL.into_iter().filter_map(|id| warning::of_records(case, id));
-    let uncertain: Vec<SeenWarning> = uncertain.map(|warning| warning.seen(case.axes)).collect();
     // Of several records of a recorder, that of this impact tells how the vehicle came.
-    let case = &*with_records_of_impact(case).0;
-    let form = case.avoidance()?;
+    let given = with_records_of_impact(case);
+    let form = given.case.avoidance()?;
     let told = match form.speed {
-        SpeedForm::Sought => Some(Arc::new(Told::of(case, form.vehicle, plan, progress)?)),
+        SpeedForm::Sought => Some(Arc::new(Told::of(&given.case, form.vehicle, plan, progress)?)),
         SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => None,
     };
-    let mut found = found(case, &form, told, Some(plan))?;
-    found.speed_warnings.extend(uncertain);
-    Ok(found)
+    found(&given, &form, told, Some(plan))
 }
 
 /// The answer, once the speed is known. Without a plan, nothing is sampled.
 fn found(
-    case: &Case,
+    given: &RecordsOfImpact<'_>,
     form: &AvoidForm,
     told: Option<Arc<Told>>,
     plan: Option<&AvoidPlan>,
 ) -> Result<Avoidance, Failure> {
+    let case = &*given.case;
     let speed_from = match (&form.speed, &told) {
         (SpeedForm::AtDemand(_), _) => SpeedSource::AtDemand,
         (SpeedForm::ByPhases, _) => SpeedSource::Phases,
@@ -316,8 +313,8 @@ fn found(
     if needs_other && sought.other.is_some_and(|speed| speed <= 0.0) {
         return Err(unposed(form, Unposed::OtherStands));
     }
-    let given = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
-    let outlines: Vec<_> = given.map(sight::corners).collect();
+    let hidden_by = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
+    let outlines: Vec<_> = hidden_by.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
     let ways = form.sight.as_ref().map(Ways::of);
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
@@ -338,7 +335,7 @@ fn found(
         reaction_at_limit: scene.longest_reaction(true),
     };
     let speed_doubt = told.as_ref().and_then(|told| told.doubt());
-    let speed_warnings = match &told {
+    let mut speed_warnings = match &told {
         Some(told) => told.warnings.clone(),
         None => {
             let mut of_marks = Vec::new();
@@ -346,6 +343,7 @@ fn found(
             of_marks
         }
     };
+    speed_warnings.extend(given.uncertain.iter().copied().map(Warning::from));
     let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
     let is_near = |off: &OffLine| match &scene.same_line {
         Some(_) => off.angle > ALONG,

@@ -175,9 +175,10 @@ pub fn weigh(
     for vehicle in VehicleId::ALL.into_iter().filter(|id| !may_back(case, *id)) {
         let speeds = solutions.iter().filter_map(|solution| solution.speeds[vehicle.index()]);
         if let Some(speed) = speeds.filter(|speed| *speed < BACKS).min_by(f64::total_cmp) {
-            let is_told =
-                |warning: &Warning| warning.vehicle() == Some(vehicle) && warning.code() == "may-have-backed";
-            estimated.warnings.retain(|warning| !is_told(warning));
+            // It names the speed, which the estimate did not know.
+            let is_same =
+                |one: &Warning| matches!(one, Warning::MayHaveBacked { vehicle: of, .. } if *of == vehicle);
+            estimated.warnings.retain(|warning| !is_same(warning));
             estimated.warnings.push(Warning::MayHaveBacked { vehicle, speed: Some(speed) });
         }
     }

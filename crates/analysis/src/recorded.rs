@@ -168,44 +168,63 @@ pub(crate) fn told_records(case: &Case) -> Vec<(String, OfImpact)> {
     VehicleId::ALL.into_iter().flat_map(of_vehicle).collect()
 }
 
-/// The case with only the record of its impact in each recorder, and the keys of the other records. A
-/// recorder without a record that is likely to be of the impact is left out.
-pub(crate) fn with_records_of_impact(case: &Case) -> (Cow<'_, Case>, Vec<String>) {
+/// A recorder with several records, of which it is not certain which is of the impact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UncertainRecord {
+    pub(crate) vehicle: VehicleId,
+    /// The number of the record that is used, from 1; `None` if none is.
+    pub(crate) used: Option<usize>,
+    /// (1) the probability that it is of the impact, or the greatest of all records.
+    pub(crate) probability: f64,
+}
+
+/// A case with only the record of its impact in each recorder.
+pub(crate) struct RecordsOfImpact<'a> {
+    /// A recorder without a record that is likely to be of the impact is left out.
+    pub(crate) case: Cow<'a, Case>,
+    /// The keys of the other records.
+    pub(crate) aside: Vec<String>,
+    pub(crate) uncertain: Vec<UncertainRecord>,
+}
+
+pub(crate) fn with_records_of_impact(case: &Case) -> RecordsOfImpact<'_> {
     let several = |id: &VehicleId| {
         case.vehicles[id.index()].recorder.as_ref().is_some_and(|recorder| !recorder.records.is_empty())
     };
-    let (mut chosen, mut aside) = (Cow::Borrowed(case), Vec::new());
+    let mut chosen = RecordsOfImpact { case: Cow::Borrowed(case), aside: Vec::new(), uncertain: Vec::new() };
     for id in VehicleId::ALL.into_iter().filter(several) {
         let Some(recorder) = &case.vehicles[id.index()].recorder else { continue };
+        let records = records(case, id, recorder);
+        chosen.uncertain.extend(doubt(id, &records));
         let mut taken = None;
-        for (record, of_impact) in records(case, id, recorder) {
+        for (record, of_impact) in records {
             if of_impact.is_taken && taken.is_none() {
                 taken = Some(record);
             } else {
-                aside.push(of_impact.key(id));
+                chosen.aside.push(of_impact.key(id));
             }
         }
-        chosen.to_mut().vehicles[id.index()].recorder = taken;
+        chosen.case.to_mut().vehicles[id.index()].recorder = taken;
     }
-    (chosen, aside)
+    chosen
 }
 
 /// (1) a record is used without a word if it is of the impact with this probability, or a greater one.
 const CERTAIN: f64 = 0.9;
 
-/// If it is not certain which of several records is of the impact: the number of the one that is used, if one
-/// is, and (1) the probability of that one, or the greatest of all.
-pub(crate) fn uncertain_record(case: &Case, vehicle: VehicleId) -> Option<(Option<usize>, f64)> {
-    let recorder = case.vehicles[vehicle.index()].recorder.as_ref()?;
-    if recorder.records.is_empty() {
-        return None;
-    }
-    let records = records(case, vehicle, recorder);
+/// Whether it is not certain which of several records of a vehicle is of the impact.
+pub(crate) fn uncertain_record(case: &Case, vehicle: VehicleId) -> Option<UncertainRecord> {
+    let recorder = case.vehicles[vehicle.index()].recorder.as_ref();
+    let recorder = recorder.filter(|recorder| !recorder.records.is_empty())?;
+    doubt(vehicle, &records(case, vehicle, recorder))
+}
+
+fn doubt(vehicle: VehicleId, records: &[(Recorder, OfImpact)]) -> Option<UncertainRecord> {
     let taken = records.iter().find(|(_, record)| record.is_taken);
     let used = taken.and_then(|(_, record)| record.number);
     let greatest = records.iter().map(|(_, record)| record.probability).fold(0.0, f64::max);
     let probability = taken.map_or(greatest, |(_, record)| record.probability);
-    (probability < CERTAIN).then_some((used, probability))
+    (probability < CERTAIN).then_some(UncertainRecord { vehicle, used, probability })
 }
 
 /// (m/s) 5 km/h: the direction of a smaller ΔV depends mainly on its rounding to 1 km/h.

@@ -4,6 +4,7 @@ use crash3::{ObliqueCorrection, principal_angle};
 use inputs::{Axes, Case, Dimension, EstimatedInput, GivenVehicle, Input, Origin};
 use pim_core::{ImpactError, Vector2, VehicleId};
 use real::Gradient;
+use reconcile::{Momentum, point_masses};
 
 use crate::analysis::Analysis;
 use crate::damage::{self, Crash3};
@@ -204,35 +205,28 @@ fn most_by_degree(changes: impl Iterator<Item = (VehicleId, String, f64, f64)>) 
 fn hangs_on_direction(case: &Case, analysis: &Analysis) -> Option<Warning> {
     let both = analysis.both.as_ref().filter(|both| both.method == BothMethod::Momentum)?;
     let [Some(one), Some(two)] = case.courses() else { return None };
-    let courses = [one, two];
-    let masses = both.momentum.contact.participants().map(|participant| participant.body().mass());
-    let after = [0, 1].map(|i| both.momentum.after[i].velocity * masses[i]);
-    // m₁ v₁ e₁ + m₂ v₂ e₂ = m₁ V₁ + m₂ V₂
-    let speeds = |[one, two]: [f64; 2], [first, second]: [Vector2<f64>; 2]| {
-        let [one, two] = [one, two].map(|angle| {
-            let (sin, cos) = real::elementary::sin_cos(angle);
-            Vector2::new(cos, sin)
-        });
-        let (total, across) = (first + second, one.perp(&two));
-        [total.perp(&two) / (masses[0] * across), one.perp(&total) / (masses[1] * across)]
+    let momentum = &both.momentum;
+    let total = momentum.total();
+    let masses = momentum.contact.participants().each_ref().map(|one| one.body().mass());
+    // Point masses have the heading of their course.
+    let on_courses = |courses: [f64; 2]| {
+        let contact = point_masses(masses.map(Some), courses, courses).ok()?;
+        Some(Momentum { contact, ..*momentum }.speeds_with(total))
     };
-    let turned = |by: Vector2<f64>| by + Vector2::new(-by.y, by.x) * DEGREE;
     let is_exact = |path: &str| !case.ranges.iter().any(|range| range.path.starts_with(path));
-    let (found, mut changes) = (speeds(courses, after), Vec::new());
+    let found = momentum.speeds_with(total);
+    let mut changes = Vec::new();
     for id in VehicleId::ALL {
-        let (mut headings, mut momenta) = (courses, after);
-        headings[id.index()] += DEGREE;
-        momenta[id.index()] = turned(after[id.index()]);
-        let departs = if case.vehicles[id.index()].after.as_ref().is_some_and(|after| after.rest.is_some()) {
-            "after.rest"
-        } else {
-            "after.direction"
-        };
-        for (key, changed) in [("heading", speeds(headings, after)), (departs, speeds(courses, momenta))] {
+        let mut courses = [one, two];
+        courses[id.index()] += DEGREE;
+        let own = momentum.after[id.index()].velocity * masses[id.index()];
+        let departing = momentum.speeds_with(total + Vector2::new(-own.y, own.x) * DEGREE);
+        let after = case.vehicles[id.index()].after.as_ref();
+        let departs =
+            if after.is_some_and(|after| after.rest.is_some()) { "after.rest" } else { "after.direction" };
+        for (key, changed) in [("heading", on_courses(courses)), (departs, Some(departing))] {
             let path = format!("vehicle{id}.{key}");
-            if !is_exact(&path) {
-                continue;
-            }
+            let Some(changed) = changed.filter(|_| is_exact(&path)) else { continue };
             for of in VehicleId::ALL {
                 let change = (changed[of.index()] - found[of.index()]).abs();
                 changes.push((of, path.clone(), change, both.speeds[of.index()]));

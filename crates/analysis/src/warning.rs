@@ -18,7 +18,7 @@ use crate::exchange::Exchange;
 use crate::found::Found;
 use crate::given::GivenSpeed;
 use crate::impact::Impact;
-use crate::recorded::uncertain_record;
+use crate::recorded::{UncertainRecord, uncertain_record};
 use crate::speeds::BothFound;
 use crate::thresholds::{DELTA_V_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::travel::{Pass, Travel};
@@ -845,7 +845,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         of_skid(case, id, warnings);
         of_wreck(case, id, warnings);
         of_grade(case, id, warnings);
-        warnings.extend(of_records(case, id));
+        warnings.extend(uncertain_record(case, id).map(Warning::from));
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
@@ -864,10 +864,10 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Warns of a recorder with several records, if it is not certain which of them is of the impact.
-pub(crate) fn of_records(case: &Case, vehicle: VehicleId) -> Option<Warning> {
-    let (used, probability) = uncertain_record(case, vehicle)?;
-    Some(Warning::RecordUncertain { vehicle, used, probability })
+impl From<UncertainRecord> for Warning {
+    fn from(UncertainRecord { vehicle, used, probability }: UncertainRecord) -> Self {
+        Self::RecordUncertain { vehicle, used, probability }
+    }
 }
 
 fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {

@@ -464,10 +464,9 @@ impl RecorderPlace {
     /// (m/s) the components of ΔV there, forward and left, from those of the CG and the yaw rate (rad/s)
     /// after the impact.
     #[must_use]
-    pub fn sensed(&self, [along, left]: [f64; 2], yaw_rate: f64) -> [f64; 2] {
-        let (turned, [x, y]) = (yaw_rate - self.yaw_rate, self.at);
-        // ΔV_R = ΔV + ΔΩ × r
-        [along - turned * y, left + turned * x]
+    pub fn sensed(&self, delta_v: [f64; 2], yaw_rate: f64) -> [f64; 2] {
+        // Seen from the recorder, the CG turns the other way.
+        recorder::delta_v_at_center(delta_v, self.yaw_rate - yaw_rate, self.at)
     }
 }
 

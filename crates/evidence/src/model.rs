@@ -334,6 +334,11 @@ impl<I: Impacts> CollisionModel<I> {
         let leaves = |id: VehicleId| {
             if vehicle(id).after.of_common_cg { of_common_cg(&impacted.outcome) } else { after(id).velocity }
         };
+        // (m/s) the components of ΔV at a recorder away from the CG.
+        let sensed = |id: VehicleId| {
+            let at_cg = impacted.outcome.delta_v_components()[id.index()];
+            Some(vehicle(id).recorder.place?.sensed(at_cg, after(id).yaw_rate))
+        };
         let yaw_rate = |measured: Option<Measured>, id: VehicleId| {
             measured
                 .map_or(Error::NONE, |Measured { value, sd }| Error::normal(value - after(id).yaw_rate, sd))
@@ -385,17 +390,12 @@ impl<I: Impacts> CollisionModel<I> {
                 }
             }
             Piece::RecordedDirection(id) => {
-                let recorder = &vehicle(id).recorder;
-                let pdof = match recorder.place {
-                    Some(place) => {
-                        let at_cg = impacted.outcome.delta_v_components()[id.index()];
-                        let [along, left] = place.sensed(at_cg, after(id).yaw_rate);
-                        // Away from the origin of the force; clockwise from the heading.
-                        atan2(left, -along)
-                    }
+                let pdof = match sensed(id) {
+                    // Away from the origin of the force; clockwise from the heading.
+                    Some([along, left]) => atan2(left, -along),
                     None => impacted.outcome.pdof()[id.index()],
                 };
-                recorder.direction.map_or(Error::NONE, |shown| shown.error(pdof))
+                vehicle(id).recorder.direction.map_or(Error::NONE, |shown| shown.error(pdof))
             }
             Piece::SpeedAfter(id) => match vehicle(id).after.speed {
                 Some(measured) => measured.error(length(leaves(id))),
@@ -412,13 +412,11 @@ impl<I: Impacts> CollisionModel<I> {
             Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => {
                 let outcome = &impacted.outcome;
                 let recorder = &vehicle(id).recorder;
-                let at_cg = outcome.delta_v_components()[id.index()];
-                let (whole, along) = match recorder.place {
-                    Some(place) => {
-                        let [along, left] = place.sensed(at_cg, after(id).yaw_rate);
-                        (Real::sqrt(along * along + left * left), along)
+                let (whole, along) = match sensed(id) {
+                    Some([along, left]) => (Real::sqrt(along * along + left * left), along),
+                    None => {
+                        (outcome.delta_v_magnitude()[id.index()], outcome.delta_v_components()[id.index()][0])
                     }
-                    None => (outcome.delta_v_magnitude()[id.index()], at_cg[0]),
                 };
                 let (error, slows) = match (recorder.delta_v, recorder.longitudinal) {
                     (_, Some(part)) => (part.error(whole, along), part.along < 0.0),

@@ -182,8 +182,10 @@ impl<T: Real> Momentum<T> {
         Ok([possible(VehicleId::One, v1)?, possible(VehicleId::Two, v2)?])
     }
 
-    /// (m/s) the speeds that have the momentum p (kg·m/s).
-    fn speeds_with(&self, p: Vector2<T>) -> [T; 2] {
+    /// (m/s) the speeds along the courses that have the momentum p (kg·m/s), however nearly collinear these
+    /// are, and however fast the vehicles then were.
+    #[must_use]
+    pub fn speeds_with(&self, p: Vector2<T>) -> [T; 2] {
         let [m1, m2] = self.masses();
         let [e1, e2] = self.courses();
         // v₁ = (p × ê₂)/(m₁ ê₁ × ê₂),  v₂ = (ê₁ × p)/(m₂ ê₁ × ê₂)

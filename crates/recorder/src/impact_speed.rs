@@ -445,7 +445,7 @@ pub struct SampleSpeed {
 
 /// (m/s²) 1.2 g: no tyre slows a vehicle by more. The manual of EDCRASH lists friction of at most 1.00 above
 /// 48 km/h, on new dry asphalt or concrete, and of at most 1.20 below.
-const BEYOND_TYRES: f64 = 1.2 * GRAVITY;
+pub const BEYOND_TYRES: f64 = 1.2 * GRAVITY;
 
 /// Samples at the end whose speeds are all lower than 1 g from the sample before them allows.
 struct Fallen {

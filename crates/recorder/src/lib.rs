@@ -61,8 +61,8 @@ mod which;
 
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
-    ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach, SpeedErrorOutOfRange,
-    SpeedErrorPart, SpeedErrorSource, SteepFall,
+    BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,
+    SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource, SteepFall,
 };
 pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange};
 pub use pulse::{

@@ -170,7 +170,7 @@ pub enum Apart {
 impl fmt::Display for Apart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::HasDeltaV => write!(f, "the table has ΔV, which belongs into `pulse`"),
+            Self::HasDeltaV => write!(f, "the table has ΔV, which belongs in `pulse`"),
             Self::HasNoDeltaV => write!(f, "the table has no ΔV"),
             Self::AfterImpact { time } => write!(f, "the table has a time after the impact, {time:.3} s"),
             Self::GivenTwice { channel, time } => {
@@ -253,10 +253,16 @@ impl RecorderTable {
         self.columns.iter().filter(|column| column.channel != Channel::Time)
     }
 
+    /// The first quantity of which both have a column.
+    fn shared_with(&self, other: &Self) -> Option<Channel> {
+        let shared = other.quantities().find(|column| self.column(column.channel).is_some());
+        shared.map(|column| column.channel)
+    }
+
     /// Whether both have a column of one quantity.
     #[must_use]
     pub fn shares_a_quantity(&self, other: &Self) -> bool {
-        other.quantities().any(|column| self.column(column.channel).is_some())
+        self.shared_with(other).is_some()
     }
 
     /// Why it is no table before the impact, if it is none.
@@ -268,21 +274,17 @@ impl RecorderTable {
         self.times().into_iter().find(|time| *time > 0.0).map(|time| Apart::AfterImpact { time })
     }
 
-    /// Why another table is not of the same record, if it is of another.
+    /// Why another table is not of the same record; `None` if it is: it has other quantities, or continues
+    /// where this one ends.
     #[must_use]
     pub fn not_with(&self, other: &Self) -> Option<Apart> {
-        let shared = other.quantities().find(|column| self.column(column.channel).is_some())?;
-        let [own, others] = [self, other].map(|table| table.times().first().copied());
-        let time = own?.max(others?);
-        (!self.goes_with(other)).then_some(Apart::GivenTwice { channel: shared.channel, time })
-    }
-
-    /// Whether another table is of the same record: it has other quantities, or continues where this one
-    /// ends.
-    #[must_use]
-    pub fn goes_with(&self, other: &Self) -> bool {
+        let channel = self.shared_with(other)?;
         let [own, others] = [self, other].map(Self::times);
-        !self.shares_a_quantity(other) || own.last() < others.first() || others.last() < own.first()
+        if own.last() < others.first() || others.last() < own.first() {
+            return None;
+        }
+        let time = own.first()?.max(*others.first()?);
+        Some(Apart::GivenTwice { channel, time })
     }
 
     /// Merges a table of the same record, at the times of both. A column has no value at times that only the

@@ -796,7 +796,7 @@ fn tables_of_one_record_are_joined_by_their_times() {
         let mut tables = read_tables(&text).unwrap();
         let at = tables.iter().position(RecorderTable::is_pre_crash).unwrap();
         let mut table = tables.remove(at);
-        assert!(table.goes_with(&tables[0]) && tables[0].not_before_impact().is_none());
+        assert!(table.not_with(&tables[0]).is_none() && tables[0].not_before_impact().is_none());
         table.join(tables.remove(0));
         assert_eq!(table.times(), [-1.0, -0.6, -0.5, 0.0]);
         let kmh = |value: Option<f64>| value.map(|value| (value * 3.6).round());
@@ -810,7 +810,7 @@ fn tables_of_one_record_are_joined_by_their_times() {
     // another.
     let later = "Times (sec) Vehicle Speed (km/h)\n0.5 40\n1.0 30\n";
     let [mut one, two] = [one(speeds), one(later)];
-    assert!(one.goes_with(&two) && two.goes_with(&one) && !one.goes_with(&one));
+    assert!(one.not_with(&two).is_none() && two.not_with(&one).is_none() && one.not_with(&one).is_some());
     let again = Apart::GivenTwice { channel: Channel::Speed, time: -1.0 };
     assert_eq!([one.not_with(&one), one.not_with(&two)], [Some(again), None]);
     let after = two.not_before_impact().unwrap();

@@ -369,7 +369,7 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
     match assumed {
         Assumed::Heading | Assumed::CrushPlane | Assumed::Contact => "how well it is usually known; chosen",
         Assumed::Mass => SMITH_NOGA,
-        Assumed::Load => "5 % of it, as few loads are weighed; chosen",
+        Assumed::Load => "a share of it, as few loads are weighed; chosen",
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
         Assumed::Speed => "before the severity and the weight of the speeds are applied; chosen",

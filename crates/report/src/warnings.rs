@@ -350,29 +350,28 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             let percent = number(100.0 * probability, 0);
             match used {
                 Some(record) => format!(
-                    "the recorder of vehicle {vehicle} has several records. The answer takes records[{record}] for that of this impact, but \
-                     the probability of that is only {percent} %: compute it with each record alone as well, and say by \
-                     `other_impacts` what else happened"
+                    "the recorder of vehicle {vehicle} has several records. The answer uses records[{record}] as that of this impact, with a \
+                     probability of only {percent} %: compute the case with each record alone as well, and list the other impacts in \
+                     `other_impacts`"
                 ),
                 None => format!(
                     "the recorder of vehicle {vehicle} has several records, and which of them is of this impact is not known (the \
-                     most likely one with {percent} %), so none is used: give `pdof` or the damage, or say by `other_impacts` \
-                     what else happened"
+                     most likely one with {percent} %), so none is used: give `pdof` or the damage, or list the other impacts in \
+                     `other_impacts`"
                 ),
             }
         }
         Warning::NotLocked { parting } => format!(
-            "by `locked_together`, the vehicles left the impact as one body, but by the velocities in their `after` tables the \
-             centres of gravity {} at {}, which no body does; leave one of the velocities out, so that it follows from the other, or \
-             `locked_together`",
+            "by `locked_together`, the vehicles left the impact as one body, whose centres of gravity keep their distance; by the velocities in their \
+             `after` tables, these {} at {}. Leave out one of the velocities, so that it follows from the other, or leave out `locked_together`",
             if *parting > 0.0 { "part" } else { "close" },
             units.road_speed(parting.abs())
         ),
         Warning::MayHaveBacked { vehicle, speed: found } => format!(
-            "vehicle {vehicle} may have been backing{}; an estimate excludes that unless the case allows it: if it may have been, write \
+            "vehicle {vehicle} may have moved backward{}, but the estimate excludes this unless the case allows it: to allow it, write \
              certain_speed = {{ at_least = \"-30 km/h\" }} in [vehicle{vehicle}]",
             found.map_or_else(String::new, |found| {
-                format!(", as an exact solution gives it {}", units.road_speed(found))
+                format!(" (an exact solution gives it {})", units.road_speed(found))
             })
         ),
         Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {

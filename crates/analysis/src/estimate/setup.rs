@@ -24,10 +24,10 @@ use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
 use crate::given::with_sideslip;
-use crate::recorded::with_records_of_impact;
+use crate::recorded::{RecordsOfImpact, with_records_of_impact};
 use crate::uncertainty::{UncertainInput, any_inputs, inputs};
 use crate::unsolved;
-use crate::warning::{Warning, of_records};
+use crate::warning::Warning;
 
 /// The reason for the distribution of a number, if the case does not give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,9 +147,7 @@ impl Unknowns {
 
 pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Failure> {
     crate::recorded::is_read(case)?;
-    let uncertain_records: Vec<Warning> =
-        VehicleId::ALL.into_iter().filter_map(|id| of_records(case, id)).collect();
-    let (case, aside) = with_records_of_impact(case);
+    let RecordsOfImpact { case, aside, uncertain } = with_records_of_impact(case);
     let case = case.as_ref();
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
@@ -160,7 +158,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let mut warnings = unsolved::warnings(&case, Some(&nominal));
     // Its rest position is not used, which the list of unused evidence states.
     warnings.retain(|warning| !matches!(warning, Warning::WreckAlone { .. }));
-    warnings.extend(uncertain_records);
+    warnings.extend(uncertain.into_iter().map(Warning::from));
     let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
         Ok(ranges) => ranges,

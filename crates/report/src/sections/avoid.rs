@@ -224,8 +224,8 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let beaten = beaten_by_marks(found, units);
     let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
         format!(
-            "How the vehicle came to the impact is known from {} after the reaction demand on. Until then, the answer takes it to have \
-             kept the speed that it had then; the probability contains no error of that.",
+            "The case says how the vehicle moved only from {} after the reaction demand on. For the time before, the answer assumes the \
+             speed at that moment; the probability does not include the error of this assumption.",
             units.format(Measure::Time, begins)
         )
     });
@@ -258,7 +258,7 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
     if found.scene.same_line.is_some() {
         return Some(format!(
             "The directions of both vehicles are {angle} from one line. Up to {line} counts as one line; beyond that, the answer takes \
-             the place of the impact as fixed, and is another. The probability does not contain a range of the headings."
+             the place of the impact as fixed, and differs. The probability does not include a range of the headings."
         ));
     }
     let moved = match (off.along, is_on_line) {
@@ -289,7 +289,7 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
         format!("Give `speed` in [vehicle{other}], and the answer takes its motion into account.")
     } else {
         format!(
-            "Up to {line}, the answer takes such a motion into account: give the headings so if that is what happened."
+            "Up to {line}, the answer takes such a motion into account; if the vehicles did move along one line, give their headings so."
         )
     };
     Some(format!("{moved} {errs} {remedy}"))
@@ -1144,8 +1144,8 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     if let Some(off) = case.off_the_line().filter(|_| found.on_line().is_some()) {
         list.push(format!(
-            "Both vehicles are taken to move along one line. Their headings lie {} apart from it; up to {} counts as one line, and ranges \
-             of the headings do not change that.",
+            "Both vehicles are taken to move along one line. Their headings are {} from it; up to {} counts as one line, and ranges of \
+             the headings do not change that.",
             units.format(Measure::Angle, off.angle),
             units.format(Measure::Angle, COLLINEAR)
         ));

@@ -1,11 +1,11 @@
 //! The readings of the recorders of a case on their own.
 
 use analysis::{OfImpact, RecorderReading, VehicleReading};
-use case::{Axes, CaseFile, SeriesSource};
+use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable,
-    SpeedErrorSource, force_direction,
+    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch,
+    RecorderTable, SpeedErrorSource, force_direction,
 };
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
@@ -311,11 +311,12 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
             };
             let share = number(100.0 * fall.probability, 0);
             page.paragraph(format!(
-                "The last speed is {} below that of {} s, a deceleration of {} g. Few tyres slow a vehicle by more than 1 g, none by more \
-                 than 1.2 g. {why} The earlier speed counts with {share} %, the last one with the rest.",
+                "The last speed is {} below that of {} s, a deceleration of {} g. Few tyres slow a vehicle by more than 1 g, and none by \
+                 more than {} g. {why} The earlier speed has a weight of {share} %, the last one the rest.",
                 units.format(Measure::RoadSpeed, fall.speed - speed.stored),
                 number(fall.time, 2),
-                number(fall.deceleration / 9.80665, 2),
+                number(fall.deceleration / STANDARD_GRAVITY, 2),
+                number(BEYOND_TYRES / STANDARD_GRAVITY, 1),
             ));
         }
     }
@@ -332,7 +333,10 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         .map(|one| {
             let [from, to] = one.times.map(|time| number(time, 2));
             let verb = if one.acceleration < 0.0 { "falls" } else { "rises" };
-            format!("from {from} to {to} s it {verb} by {} g", number(one.acceleration.abs() / 9.80665, 2))
+            format!(
+                "from {from} to {to} s it {verb} by {} g",
+                number(one.acceleration.abs() / STANDARD_GRAVITY, 2)
+            )
         })
         .collect();
     page.paragraph(format!(
@@ -462,7 +466,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
          with it off. {} A stored \
          speed is up to {} s old. Each is a key of `errors`.",
         number(errors.friction, 2),
-        number(errors.coasting / 9.80665, 2),
+        number(errors.coasting / STANDARD_GRAVITY, 2),
         brake(found),
         number(errors.latency, 2),
     ));

@@ -574,7 +574,5 @@ pub(crate) fn search(found: &Found) -> String {
 pub(super) fn other_speeds(found: &Found, units: Units) -> Option<String> {
     let [_, others @ ..] = found.admissible.as_slice() else { return None };
     let all: Vec<String> = others.iter().map(|&speed| units.road_speed(speed)).collect();
-    (!all.is_empty()).then(|| {
-        format!("Possible as well, with a faster approach: {}; the evidence decides", all.join(", "))
-    })
+    (!all.is_empty()).then(|| format!("Also admissible, with a faster approach: {}", all.join(", ")))
 }
