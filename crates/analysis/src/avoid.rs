@@ -17,7 +17,7 @@ use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
     Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind, Faults,
-    Find, OffLine, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
+    Find, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -29,7 +29,7 @@ use chance::{Speeds, chance};
 pub use driven::{BRAKES, GIVES_WAY};
 use posing::{SoughtSpeeds, Unposed};
 pub use same_line::{Meeting, SameLine};
-pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, Clears, DrivenBy, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
 
@@ -305,7 +305,7 @@ fn found(
     };
     let other = told.as_ref().and_then(|told| told.other);
     // Where nothing else tells the speed of a vehicle on the same line, its own recorder does.
-    let by_recorder = form.same_line.as_ref().filter(|line| line.speed.is_none() && other.is_none());
+    let by_recorder = form.same_line.as_ref().filter(|line| line.motion.speed.is_none() && other.is_none());
     let by_recorder = by_recorder.and_then(|_| RecordedSpeed::of(case, form.vehicle.other()));
     let other = other.or_else(|| Some(by_recorder.as_ref()?.quantile(0.5)));
     let sought = SoughtSpeeds { subject: told.as_ref().map(|told| told.speed), other };
@@ -316,7 +316,10 @@ fn found(
     let hidden_by = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
     let outlines: Vec<_> = hidden_by.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
-    let ways = form.sight.as_ref().map(Ways::of);
+    let ways_of = |sight: &SightForm| {
+        scene::response(form).map_err(Unposed::from).and_then(|response| Ways::of(sight, &response))
+    };
+    let ways = form.sight.as_ref().map(ways_of).transpose().map_err(|refusal| unposed(form, refusal))?;
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());
     }
@@ -353,7 +356,7 @@ fn found(
     let other_speeds = other_speeds(case, form, scene.same_line.as_ref(), other);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
-    let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
+    let ways = ways.or_else(|| ways_of(&case.avoid_plan()?).ok());
     Ok(Avoidance {
         vehicle,
         speed_from,
@@ -811,7 +814,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         ),
         Unposed::OtherStands => (
             "avoid.clear".to_owned(),
-            "the other vehicle did not move forward at the impact, so that it never clears the danger zone".to_owned(),
+            "the other vehicle stood at the impact, so that it never clears the danger zone".to_owned(),
             "leave `clear` out".to_owned(),
         ),
         Unposed::NeverHidden => (

@@ -1,10 +1,11 @@
 //! The speed that a case gives for a vehicle, in any of its forms.
 
-use inputs::{Case, CourseForm, Dimension, Quantity, Velocity};
+use inputs::{Case, CourseForm, Dimension, GivenVehicle, Quantity, Velocity};
 use pim_core::{Motion, VehicleId};
 use real::principal_angle;
 
 use crate::impact::speed_along;
+use crate::thresholds::FASTEST_BELIEVED;
 
 /// Speed and direction of a vehicle, whether given as a speed, as a speed with a sideslip or as a vector.
 #[derive(Clone, Copy)]
@@ -36,6 +37,21 @@ impl GivenSpeed {
         let is_sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if is_sought { None } else { Self::of(case, id) }
     }
+}
+
+/// (m/s) the limits that a case gives for the speed of a vehicle.
+pub(crate) fn certain_limits(vehicle: &GivenVehicle) -> [Option<f64>; 2] {
+    let certain = vehicle.certain_speed.unwrap_or_default();
+    [certain.at_least, certain.at_most].map(|limit| limit.as_ref().map(Quantity::si))
+}
+
+/// (m/s) the limits within which the speed of a vehicle is taken to lie: those that the case gives, and
+/// otherwise from 0 to [`FASTEST_BELIEVED`].
+pub(crate) fn speed_limits(vehicle: &GivenVehicle) -> [f64; 2] {
+    let [least, most] = certain_limits(vehicle);
+    let (least, most) = (least.unwrap_or(0.0), most.unwrap_or(FASTEST_BELIEVED));
+    // A limit below zero means that the vehicle may have moved backward.
+    [if most <= least { most - FASTEST_BELIEVED } else { least }, most]
 }
 
 /// Writes the vector of a vehicle as a speed and a sideslip, which keeps its direction.

@@ -6,14 +6,14 @@ use crash3::CrushError;
 use inputs::{Case, CollisionData, Faults, Purpose, ReconstructionInput, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
-use reconcile::{Implied, MomentumAndCrush, Problem};
+use reconcile::{Implied, MomentumAndCrush, Problem, ReconcileError};
 use trajectory::{Control, Target, to_start_near};
 
 use crate::analysis::Analysis;
 use crate::both::pose;
 use crate::damage;
 use crate::failure::Failure;
-use crate::found::refused;
+use crate::found::{Found, refused};
 use crate::impact::collide;
 use crate::speeds::BothMethod;
 use crate::travel::{Record, Scene, TravelOrigin, Way, Ways, after_impact, departures, target};
@@ -213,6 +213,8 @@ pub(crate) struct Search {
     straight: [bool; 2],
     /// Whether they left as one body there.
     as_one: bool,
+    /// (m/s) the speed there, if it is not that with the slowest approach.
+    pub(crate) chosen: Option<f64>,
     /// Whether more than one pair of speeds has the momentum and the crush energy; only determined on
     /// request, because finding all speeds takes longer than finding one.
     pub(crate) several: Option<bool>,
@@ -238,6 +240,7 @@ impl Search {
             near: VehicleId::ALL.map(near),
             straight: leave_straight(analysis),
             as_one: leave_as_one(analysis),
+            chosen: analysis.found.as_ref().and_then(Found::chosen),
             several: None,
         }
     }
@@ -256,13 +259,25 @@ fn leave_straight(analysis: &Analysis) -> [bool; 2] {
     })
 }
 
+/// The speed (m/s) of a sample, and its impact: of several admissible speeds the one nearest to that `chosen`
+/// at the central values, if one was.
+pub(crate) fn speed_and_impact(
+    problem: &Problem,
+    chosen: Option<f64>,
+) -> Result<(f64, Outcome), ReconcileError> {
+    match chosen {
+        None => problem.speed_and_impact(),
+        Some(speed) => problem.solve_near(speed).map(|answer| (answer.speed, answer.outcome)),
+    }
+}
+
 impl Solver<f64> for Search {
     fn left_as_one(&self) -> bool {
         self.as_one
     }
 
     fn speed(&mut self, problem: &Problem) -> Result<(f64, Outcome), Failure> {
-        problem.speed_and_impact().map_err(|refusal| refused(problem, refusal))
+        speed_and_impact(problem, self.chosen).map_err(|refusal| refused(problem, refusal))
     }
 
     fn speeds(&mut self, search: &MomentumAndCrush) -> Result<[f64; 2], Failure> {

@@ -91,9 +91,9 @@ pub use self::uncertainty::{
 };
 pub use avoid::{
     ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
-    AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, Meeting, NEARLY_ALONG,
-    SIGHT_LOOK_BACK, SameLine, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once,
-    obstacle_name, without_source,
+    AvoidStage, Avoidance, BRAKES, Clears, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, Meeting,
+    NEARLY_ALONG, SIGHT_LOOK_BACK, SameLine, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid,
+    avoid_at_once, obstacle_name, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};
@@ -116,7 +116,9 @@ pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, LEAST_BY_DEGREE, MOST_BY_DEGREE, Sensitivity, Sweep, SweepRow};
 pub use solve::{geometry, motion};
 pub use speeds::{BothFound, BothMethod, CgLine, Combination};
-pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};
+pub use thresholds::{
+    DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FASTEST_BELIEVED, HIGH_RESTITUTION, POINT_MISSED,
+};
 pub use travel::{ClosedForm, Pass, SolvedSkid, THREAD_STACK, Travel, TravelOrigin};
 pub use vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
 pub use warning::{Drive, JumpSide, Magnitude, Warning};

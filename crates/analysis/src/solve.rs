@@ -8,7 +8,7 @@ use crate::analysis::Analysis;
 use crate::both;
 use crate::damage;
 use crate::failure::Failure;
-use crate::found::{Found, refused};
+use crate::found::{Found, chosen, refused};
 use crate::goal::{Goal, posed};
 use crate::impact::{Impact, collide};
 use crate::judged::judged;
@@ -24,7 +24,13 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.reconstruction()?;
     let (vehicles, basis) = (input.collision.vehicles.clone(), input.basis);
     let problem = posed(input)?;
-    let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
+    let admissible: Vec<f64> = problem.speeds().collect();
+    let answer = match chosen(case, &problem, &admissible) {
+        Some(speed) => problem.solve_near(speed),
+        // It says why there is none.
+        None => problem.solve(),
+    };
+    let answer = answer.map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
     let (quadratic, affine_impact, iterations) = match &answer.method {
         SolutionMethod::ClosedForm => {
             (problem.quadratic(&answer.acting), problem.affine_impact(&answer.acting), None)
@@ -34,7 +40,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let found = Found {
         unknown: problem.unknown,
         speed: answer.speed,
-        admissible: problem.speeds().collect(),
+        admissible,
         crush_energy: problem.crush_energy,
         normal_work: answer.normal_work,
         line: problem.line(),

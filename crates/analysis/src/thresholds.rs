@@ -14,6 +14,8 @@ pub(crate) const HALF_HOUR: f64 = 15.0 * PI / 180.0;
 pub const HIGH_RESTITUTION: f64 = 0.3;
 /// (m/s) see [`CheckedQuantity::Restitution`](crate::CheckedQuantity::Restitution)
 pub const FAST_CLOSING: f64 = 15.0;
+/// (m/s) no vehicle is taken to have been faster unless the case says that it may have been: 252 km/h.
+pub const FASTEST_BELIEVED: f64 = 70.0;
 /// How far the work of the normal impulse may be from the crush energy.
 pub const ENERGY_DIFFERENCE: f64 = 0.1;
 /// How far CRASH3's ΔV may be from that of the impact, as a share of it.

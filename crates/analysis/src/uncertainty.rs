@@ -651,7 +651,8 @@ impl<'a> Sample<'a> {
             None => inputs.len(),
             Some(shared) => shared.uncertain_numbers(inputs),
         };
-        let block = Block::new(numbers, uncertain, outputs, central);
+        let search = Search::near(nominal);
+        let block = Block::new(numbers, uncertain, outputs, central, search.chosen);
         case.uncertainty = GivenUncertainty::default();
         case.title = None;
         case.source = None;
@@ -661,7 +662,7 @@ impl<'a> Sample<'a> {
         Self {
             goal: Goal::of(&case),
             is_by_crush: nominal.found.is_some() || nominal.both.as_ref().is_some_and(BothFound::is_by_crush),
-            search: Search::near(nominal),
+            search,
             outputs,
             asked: outputs.len(),
             central,

@@ -212,8 +212,10 @@ pub enum Warning {
     },
     /// More than one speed gives the crush energy.
     SeveralSpeeds {
-        /// (m/s) all of them; the answer is the first.
-        speeds: Vec<f64>,
+        /// (m/s) the answer.
+        answer: f64,
+        /// (m/s) the others, from the slowest approach to the fastest.
+        others: Vec<f64>,
     },
     /// The speed found or given is negative.
     MovesBackward {
@@ -643,8 +645,9 @@ pub(crate) fn of_given_speed(case: &Case, vehicle: VehicleId, found: f64) -> Opt
 pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     let vehicle = found.unknown.vehicle();
     let mut warnings = Vec::from_iter(of_given_speed(case, vehicle, found.speed));
-    if found.admissible.len() > 1 {
-        warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
+    let others = Vec::from_iter(found.others());
+    if !others.is_empty() {
+        warnings.push(Warning::SeveralSpeeds { answer: found.speed, others });
     }
     of_found_speed(vehicle, found.speed, &mut warnings);
     warnings

@@ -45,17 +45,17 @@ clear = {{ distance = "3.7 m"{clear} }}
     let [at_impact, cleared] = [7.7, 11.4].map(|way: f64| (2.0 * way / 3.56).sqrt());
     assert!((found.scene.time - at_impact).abs() < 1e-12);
     assert!((found.scene.distance - 20.0 * at_impact).abs() < 1e-9);
-    assert!((found.scene.clears_after.unwrap() - (cleared - at_impact)).abs() < 1e-12);
+    assert!((found.scene.clears.unwrap().after - (cleared - at_impact)).abs() < 1e-12);
     // 20 t_c = v t − a (t − 1)²/2
     let late = (20.0 * at_impact + 3.5 * (cleared - 1.0).powi(2)) / cleared;
     assert!((found.scene.temporal().unwrap() - late).abs() < 1e-9);
     // It keeps 4 m/s once it has them, after 2.247 m.
     let kept = asked(&text("acceleration = \"3.56 m/s^2\", speed = \"4 m/s\"", ""));
     assert!((kept.scene.time - (7.7 / 4.0 + 4.0 / 7.12)).abs() < 1e-12);
-    assert!((kept.scene.clears_after.unwrap() - 3.7 / 4.0).abs() < 1e-12);
+    assert!((kept.scene.clears.unwrap().after - 3.7 / 4.0).abs() < 1e-12);
     // What `clear` says of its speed counts more than how it came.
     let said = asked(&text("acceleration = \"3.56 m/s^2\"", ", speed = \"2 m/s\""));
-    assert!((said.scene.clears_after.unwrap() - 1.85).abs() < 1e-12);
+    assert!((said.scene.clears.unwrap().after - 1.85).abs() < 1e-12);
     // A way on without a speed is that of `demand`, which has to give one.
     let nothing = text("speed = \"4 m/s\"", "")
         .replace("{ other = { distance = \"7.7 m\", speed = \"4 m/s\" } }", "{ time = \"2 s\" }");
@@ -455,6 +455,55 @@ fn the_view_becomes_free_where_the_line_passes_the_corner() {
         .replace("x = \"+", "x = \"")
         .replace("y = \"+", "y = \"");
     assert!((free(&asked(&turned)).time - expected).abs() < 1e-9, "{turned}");
+}
+
+/// The other vehicle braked from 13 m/s to 5 m/s in the last 2 s, so that it had d = 5 t + 2 t² to go, and
+/// 18 m + 13 (t − 2) before that. The line from the eye (−20 t, 0) to its front (0, −d) passes the corner
+/// (−3, −y) of a house where d (1 − 3/(20 t)) = y: for y = 4 m at 2 t² + 4.7 t − 4.75 = 0, and for y = 30 m
+/// at 13 t² − 39.95 t + 1.2 = 0, by hand. At a constant 5 m/s it would be t = 0.95 s for the first.
+#[test]
+fn the_other_vehicle_comes_into_sight_as_its_phases_or_its_skid_tell() {
+    let roots = [("4", (60.09_f64.sqrt() - 4.7) / 4.0), ("30", (39.95 + 1_533.602_5_f64.sqrt()) / 26.0)];
+    let phase = "phase = [{ time = \"2 s\", acceleration = \"-4 m/s^2\" }]";
+    let skid = format!("skid = {{ length = \"18 m\", friction = {} }}", 4.0 / 9.806_65);
+    for ((corner, expected), before) in roots.iter().flat_map(|root| [(root, phase), (root, &skid)]) {
+        let text = format!(
+            r#"
+            [vehicle1]
+            speed = "20 m/s"
+            heading = "0 deg"
+            [vehicle2]
+            speed = "5 m/s"
+            heading = "90 deg"
+            before.{before}
+            [avoid]
+            vehicle = "vehicle1"
+            unbraked = true
+            limit = "50 km/h"
+            reaction_time = "1 s"
+            deceleration = "7 m/s^2"
+            demand = {{ sight = true }}
+            [[avoid.obstacle]]
+            polygon = [{{ x = "-3 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-300 m" }}, {{ x = "-3 m", y = "-300 m" }}]
+            "#
+        );
+        let found = asked(&text);
+        let sight = free(&found);
+        assert!((sight.time - expected).abs() < 1e-9, "{corner} {before}: {sight:?} for {expected}");
+        let to_go = if *expected < 2.0 {
+            5.0 * expected + 2.0 * expected * expected
+        } else {
+            18.0 + 13.0 * (expected - 2.0)
+        };
+        assert!((sight.distance_other - to_go).abs() < 1e-8, "{sight:?} for {to_go}");
+        let [_, [_, y]] = found.eye_and_point(*expected).unwrap();
+        assert!((y + to_go).abs() < 1e-8, "{y} for {to_go}");
+        // A speed that is given for the sight is constant.
+        let text =
+            text.replace("[[avoid.obstacle]]", "[avoid.sight]\nother_speed = \"5 m/s\"\n[[avoid.obstacle]]");
+        let sight = free(&asked(&text));
+        assert!((sight.distance_other - 5.0 * sight.time).abs() < 1e-9, "{sight:?}");
+    }
 }
 
 /// A driver who brakes as soon as the view is free reaches the place later than without: found by stepping

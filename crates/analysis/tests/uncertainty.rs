@@ -594,6 +594,28 @@ fn samples_with_two_speeds_in_closed_form_are_counted() {
     assert_eq!(counted(1.9), None);
 }
 
+/// By hand (`several_speeds`), of −4 √10 and 4 √10 m/s the second is the answer, and the samples stay with
+/// it: their yaw rate, 5 rad/s, has a standard deviation of 1 %, and s = (x − ω) √10 with −x² + 2 ω x − 9 =
+/// 0 is √10 √(ω² − 9).
+#[test]
+fn samples_stay_with_the_speed_that_is_the_answer() {
+    let ranged = "yaw_rate = { value = \"5 rad/s\", sd = \"0.05 rad/s\" }";
+    let result = run(&crate::warnings::spinning(3.0).replace("yaw_rate = \"5 rad/s\"", ranged), 5000);
+    let place = place(&result, SPEED.of_vehicle(VehicleId::One));
+    let summary = result.propagation.summaries()[place].unwrap();
+    // 95 %
+    let interval = summary.intervals[2];
+    let at = |deviations: f64| {
+        let yaw_rate = 5.0 + 0.05 * deviations;
+        (10.0 * (yaw_rate * yaw_rate - 9.0)).sqrt()
+    };
+    for (actual, expected) in
+        [(summary.median.value, at(0.0)), (interval.low.value, at(-1.96)), (interval.high.value, at(1.96))]
+    {
+        assert!((actual - expected).abs() < 0.03, "{actual} for {expected}");
+    }
+}
+
 /// All depths of both vehicles, but for the tape.
 const TAPE: &str = include_str!("../../../fixtures/depths-shared.toml");
 const INDEPENDENT: &str = include_str!("../../../fixtures/depths-independent.toml");

@@ -381,23 +381,77 @@ pub(crate) fn spinning(across: f64) -> String {
 /// `across` and s′ = s/√(a² + 1). In the approach speed x = ω + s′ a common tangential velocity takes P_n =
 /// ((2 − a) x + (a − 1) ω)/3, so that W_n = x P_n/2 = 1.5 J is (2 − a) x² + (a − 1) ω x − 9 = 0: two positive
 /// roots for a > 2 and one for a < 2.
+///
+/// Of −12.6 and 12.6 m/s (a = 3) only the second is forward, and both are as fast; of −7.7 and 112.4 m/s (a =
+/// 2.1) neither is between 0 and 70 m/s, and the first is slower.
 #[test]
 fn several_speeds() {
-    for across in [2.1_f64, 3.0] {
+    let limits = |given: &str| format!("[vehicle1]\ncertain_speed = {{ {given} }}");
+    for (across, certain, answer) in [
+        (2.1_f64, "", 0),
+        (2.1, "at_most = \"120 m/s\"", 1),
+        (3.0, "", 1),
+        (3.0, "at_most = \"-5 m/s\"", 0),
+        (3.0, "at_least = \"-20 m/s\"", 0),
+        (3.0, "at_least = \"5 m/s\", at_most = \"12 m/s\"", 0),
+    ] {
         let (square, linear) = (2.0 - across, 5.0 * (across - 1.0));
         let root = (linear * linear + 36.0 * square).sqrt();
-        let expected = [1.0, -1.0].map(|sign| {
+        let roots = [1.0, -1.0].map(|sign| {
             let x = (-linear + sign * root) / (2.0 * square);
             (x - 5.0) * (across * across + 1.0_f64).sqrt()
         });
-        let found = raised(analysis::reconstruct, &spinning(across), "several-speeds");
-        let [Warning::SeveralSpeeds { speeds }] = &found[..] else { panic!("{found:?}") };
-        assert_eq!(speeds.len(), 2);
-        for (actual, expected) in speeds.iter().zip(expected) {
-            assert_close("speed", *actual, expected, 1e-10 * expected.abs());
-        }
+        let text = spinning(across);
+        let text = if certain.is_empty() { text } else { text.replacen("[vehicle1]", &limits(certain), 1) };
+        let found = raised(analysis::reconstruct, &text, "several-speeds");
+        let [Warning::SeveralSpeeds { answer: speed, others }] = &found[..] else { panic!("{found:?}") };
+        assert_close("answer", *speed, roots[answer], 1e-10 * roots[answer].abs());
+        assert_eq!(others.len(), 1, "{across} {certain}");
+        assert_close("other", others[0], roots[1 - answer], 1e-10 * roots[1 - answer].abs());
     }
     assert_eq!(raised(analysis::reconstruct, &spinning(1.9), "several-speeds"), []);
+}
+
+/// A collision simulated by the raw equations, in which vehicle 2 had 3.138 867 093 155 m/s. Three speeds have
+/// its crush energy: |v_1 − v_2| is 13.6 m/s with that one, and 26 m/s and more with the others, one of which
+/// has a slower approach at the contact point.
+#[test]
+fn of_several_speeds_the_one_with_the_least_relative_speed_leads() {
+    let text = r#"
+        [scene]
+        axes = "z-down"
+        [vehicle1]
+        mass = "3172.1437427514988 lb"
+        yaw_radius = "4.2853592692129929 ft"
+        heading = "11.916570072427358 deg"
+        contact = { x = "6.4511666142151078 ft", y = "-2.1813193102130906 ft" }
+        speed = "29.717991295516111 mph"
+        crush = { ees = "14.035592860094411 mph" }
+        [vehicle2]
+        mass = "4758.2955529418696 lb"
+        yaw_radius = "3.7051505524832118 ft"
+        heading = "100.64038144851916 deg"
+        contact = { x = "-0.9856562717117261 ft", y = "2.7216700533777538 ft" }
+        crush = { ees = "13.614910953747518 mph" }
+        [impact]
+        crush_plane = "13.879587013949987 deg"
+        restitution = 0
+        law = "kudlich-slibar"
+        friction = 0.69172189157775499
+        [reconstruct]
+        find = "vehicle2.speed"
+        "#;
+    let found = raised(analysis::reconstruct, text, "several-speeds");
+    let [Warning::SeveralSpeeds { answer, others }] = &found[..] else { panic!("{found:?}") };
+    assert_close("answer", *answer, 3.138_867_093_155_077_7, 1e-9);
+    let known = 29.717_991_295_516_111 * 0.447_04;
+    let between = (100.640_381_448_519_16_f64 - 11.916_570_072_427_358).to_radians();
+    let relative = |speed: f64| (known * known + speed * speed - 2.0 * known * speed * between.cos()).sqrt();
+    assert_eq!(others.len(), 2);
+    assert!(others.iter().all(|other| relative(*other) > 26.0) && relative(*answer) < 14.0, "{others:?}");
+    let analysis = analysis::reconstruct(&CaseFile::parse("case.toml", text).unwrap().case).unwrap();
+    let all = analysis.found.unwrap().admissible;
+    assert!(all[0] != *answer, "it has the slowest approach: {all:?}");
 }
 
 /// Two equal cars head-on, e = 0: W_n = ½ (m/2) x² takes the crush energy of both at the closing speed x =

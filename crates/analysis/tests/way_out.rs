@@ -39,12 +39,12 @@ impl Touching {
         [one[0] - two[0], one[1] - two[1]]
     }
 
-    /// By halvings, how far the second goes until none of its corners is in the strip or beyond it, on the
-    /// side from which it came.
-    fn by_corners(&self) -> f64 {
+    /// By halvings, how far the second goes, forward (1) or backward (−1), until none of its corners is in
+    /// the strip or beyond it, on the side from which it came.
+    fn by_corners(&self, sign: f64) -> f64 {
         let [length, width, front] = self.bodies[1];
         let half = 0.5 * self.bodies[0][1];
-        let ahead = turned([1.0, 0.0], self.headings[1]);
+        let ahead = turned([sign, 0.0], self.headings[1]);
         let across = turned([0.0, 1.0], self.headings[0]);
         let side = (ahead[0] * across[0] + ahead[1] * across[1]).signum();
         let is_out = |way: f64| {
@@ -117,13 +117,19 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     /// However the scene is turned, in either axes, by contact points or positions. The other moves on with
-    /// the 10 m/s of its table.
+    /// the 10 m/s of its table, or backs with them.
     #[test]
     fn the_zone_is_clear_when_the_outline_has_left_it(touching in touching()) {
-        let expected = touching.by_corners();
-        for (axes, by_positions) in [("z-up", false), ("z-up", true), ("z-down", false), ("z-down", true)] {
-            let found = asked(&touching.text(axes, by_positions)).unwrap().scene.clears_after.unwrap();
-            prop_assert!((10.0 * found - expected).abs() < 1e-9 * (1.0 + expected), "{found} {expected}");
+        for sign in [1.0, -1.0] {
+            let expected = touching.by_corners(sign);
+            for (axes, by_positions) in [("z-up", false), ("z-up", true), ("z-down", false), ("z-down", true)] {
+                let speed = format!("speed = \"{} m/s\"", 10.0 * sign);
+                let text = touching.text(axes, by_positions).replace("speed = \"10 m/s\"", &speed);
+                let found = asked(&text).unwrap().scene.clears.unwrap();
+                prop_assert!((found.distance - expected).abs() < 1e-9 * (1.0 + expected), "{found:?} {expected}");
+                prop_assert!((10.0 * found.after - expected).abs() < 1e-9 * (1.0 + expected), "{found:?} {expected}");
+                prop_assert_eq!(found.backs, sign < 0.0);
+            }
         }
     }
 }
@@ -136,7 +142,7 @@ fn the_speed_of_the_other_is_that_of_the_evidence() {
     let found = asked(EVIDENCE).unwrap();
     // A vehicle along x, and one along y whose CG is 0.35 m before its middle: 0.91 + 2.25 + 0.35 m.
     let way = 3.51;
-    let speed = way / found.scene.clears_after.unwrap();
+    let speed = way / found.scene.clears.unwrap().after;
     let case = CaseFile::parse("avoid.toml", EVIDENCE).unwrap().case;
     let plan = analysis::EstimatePlan {
         particles: analysis::EstimatePlan::PARTICLES,

@@ -66,7 +66,7 @@ fn obstacles_and_the_sight_are_read_and_written_back() {
     assert_eq!(paths, ["avoid.reaction_time", "avoid.sight.other_speed"]);
     let form = case.avoidance().unwrap().sight.unwrap();
     let PathForm::Straight(heading) = form.path else { panic!("{:?}", form.path) };
-    assert_eq!((heading.si(), form.other_speed.si()), (0.0, 1.6));
+    assert_eq!((heading.si(), form.other.speed.unwrap().si()), (0.0, 1.6));
     for (line, says) in [
         ("[[avoid.obstacle]]\nname = \"van\"", "polygon"),
         (

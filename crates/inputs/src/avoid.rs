@@ -192,8 +192,7 @@ pub struct AvoidForm<T = f64> {
 /// What the central values of a case tell of the question, whatever its numbers are.
 #[derive(Clone, Debug, Default)]
 pub struct AvoidBasis {
-    /// What the recorders stored before the impact: that of the vehicle asked about, and of another on its
-    /// line.
+    /// What the recorders stored before the impact: that of the vehicle asked about, and of the other.
     pub(crate) recorded: [Option<Arc<SampledApproach>>; 2],
     /// Whether the recorder of the other tells its speed at the impact, where its table does not.
     pub(crate) is_recorded: bool,
@@ -221,15 +220,31 @@ pub struct OffLine {
     pub angle: f64,
 }
 
+/// How the other party came to the impact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherMotionForm<T = f64> {
+    /// (m/s) its speed at the impact; `None` where its phases, its recorder or the rest of the case tell it.
+    pub speed: Option<Quantity<T>>,
+    /// How it came.
+    pub braking: BrakingForm<T>,
+}
+
+impl<T: Copy> OtherMotionForm<T> {
+    fn map<U>(&self, number: &mut impl FnMut(T) -> U) -> OtherMotionForm<U> {
+        OtherMotionForm {
+            speed: self.speed.map(|speed| speed.map(&mut *number)),
+            braking: self.braking.map(number),
+        }
+    }
+}
+
 /// How the other vehicle came to the impact along the line of the one that is asked about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SameLineForm<T = f64> {
     /// In which direction.
     pub along: Along,
-    /// (m/s) its speed at the impact; `None` where its phases, its recorder or the rest of the case tell it.
-    pub speed: Option<Quantity<T>>,
-    /// How it came.
-    pub braking: BrakingForm<T>,
+    /// How it moved.
+    pub motion: OtherMotionForm<T>,
 }
 
 /// From where the driver looks at what, with every number that this needs.
@@ -243,8 +258,8 @@ pub struct SightForm<T = f64> {
     pub point: PlaceForm<T>,
     /// The path of the other party to there.
     pub other_path: PathForm<T>,
-    /// (m/s) the other party's speed on that way.
-    pub other_speed: Quantity<T>,
+    /// How the other party moves on it.
+    pub other: OtherMotionForm<T>,
 }
 
 /// The path to a place at the impact.
@@ -384,8 +399,22 @@ impl<T> AvoidForm<T> {
     /// Whether the table of a recorder says how a vehicle came.
     #[must_use]
     pub fn is_recorded(&self) -> bool {
-        let other = self.same_line.as_ref().map(|line| &line.braking);
-        std::iter::once(&self.braking).chain(other).any(|way| matches!(way, BrakingForm::Recorded { .. }))
+        let line = self.same_line.as_ref().map(|line| &line.motion.braking);
+        let sight = self.sight.as_ref().map(|sight| &sight.other.braking);
+        let mut ways = std::iter::once(&self.braking).chain(line).chain(sight);
+        ways.any(|way| matches!(way, BrakingForm::Recorded { .. }))
+    }
+
+    /// By how many standard deviations the recorded speeds of the vehicle err, and those of the other.
+    pub fn with_errors(mut self, [own, other]: [f64; 2]) -> Self {
+        let line = self.same_line.as_mut().map(|line| (&mut line.motion.braking, other));
+        let sight = self.sight.as_mut().map(|sight| (&mut sight.other.braking, other));
+        for (way, errs) in std::iter::once((&mut self.braking, own)).chain(line).chain(sight) {
+            if let BrakingForm::Recorded { error, .. } = way {
+                *error = errs;
+            }
+        }
+        self
     }
 }
 
@@ -417,19 +446,17 @@ impl<T: Copy> AvoidForm<T> {
                 DemandForm::Sight => DemandForm::Sight,
             },
             clear: self.clear.as_ref().map(|clear| clear.map(&mut of)),
-            sight: self.sight.as_ref().map(|sight| SightForm {
-                eye: sight.eye.map(&mut of),
-                path: sight.path.map(&mut of),
-                point: sight.point.map(&mut of),
-                other_path: sight.other_path.map(&mut of),
-                other_speed: of(sight.other_speed),
+            sight: self.sight.as_ref().map(|sight| {
+                let mut of = |quantity: Quantity<T>| quantity.map(&mut number);
+                let [eye, point] = [sight.eye.map(&mut of), sight.point.map(&mut of)];
+                let [path, other_path] = [sight.path.map(&mut of), sight.other_path.map(&mut of)];
+                SightForm { eye, path, point, other_path, other: sight.other.map(&mut number) }
             }),
             braking: self.braking.map(&mut number),
-            same_line: self.same_line.as_ref().map(|line| SameLineForm {
-                along: line.along,
-                speed: line.speed.map(|speed| speed.map(&mut number)),
-                braking: line.braking.map(&mut number),
-            }),
+            same_line: self
+                .same_line
+                .as_ref()
+                .map(|line| SameLineForm { along: line.along, motion: line.motion.map(&mut number) }),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! How the other party leaves the danger zone, for the question whether the collision was avoidable.
 
+use std::f64::consts::PI;
+
 use pim_core::{InvalidInput, Vector2};
 use real::Real;
 use time_distance::{Crossing, Party};
@@ -88,12 +90,12 @@ impl<T: Copy> ClearForm<T> {
 }
 
 impl OutlinesForm {
-    /// (m) how far the other vehicle goes straight on until its outline has left the strip that the outline
-    /// of the first sweeps; 0 if it is already out of it.
+    /// (m) how far the other vehicle goes straight on, or straight back, until its outline has left the strip
+    /// that the outline of the first sweeps; 0 if it is already out of it.
     ///
     /// # Errors
     /// If both travel along one line, or a number is impossible.
-    pub fn way_out(&self) -> Result<f64, InvalidInput> {
+    pub fn way_out(&self, backs: bool) -> Result<f64, InvalidInput> {
         let [first, second] = self.headings.each_ref().map(Quantity::si);
         let apart = match &self.places {
             PlacesForm::Contacts([one, two]) => in_scene(one.xy(), first) - in_scene(two.xy(), second),
@@ -104,23 +106,28 @@ impl OutlinesForm {
         let (sin, cos) = Real::sin_cos(first);
         // From the middle of the strip, to the left of the direction in which it is swept.
         let aside = cos * apart.y - sin * apart.x;
-        let parties = self.bodies.each_ref().map(|body| {
+        let [subject, mut other] = self.bodies.each_ref().map(|body| {
             let [length, width, front] = body.quantities().map(Quantity::si);
             Party { front, rear: length - front, width }
         });
-        Ok(Crossing::new(second - first, parties)?.way_out(aside))
+        let mut angle = second - first;
+        if backs {
+            angle += PI;
+            other = Party { front: other.rear, rear: other.front, ..other };
+        }
+        Ok(Crossing::new(angle, [subject, other])?.way_out(aside))
     }
 }
 
 impl ClearForm {
-    /// (m) how far the other party still has to go.
+    /// (m) how far the other party still has to go, forward or backward.
     ///
     /// # Errors
     /// As [`OutlinesForm::way_out`].
-    pub fn distance(&self) -> Result<f64, InvalidInput> {
+    pub fn distance(&self, backs: bool) -> Result<f64, InvalidInput> {
         match &self.way {
             WayOutForm::Distance(distance) => Ok(distance.si()),
-            WayOutForm::Outlines(outlines) => outlines.way_out(),
+            WayOutForm::Outlines(outlines) => outlines.way_out(backs),
         }
     }
 }

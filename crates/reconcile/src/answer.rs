@@ -22,7 +22,7 @@ pub const FASTEST: f64 = 1000.0;
 )]
 pub struct Reconciliation<T = f64> {
     /// (m/s) the speed found, along the vehicle's course: of several admissible speeds, the one with the
-    /// slowest approach.
+    /// slowest approach, or the [nearest](Problem::solve_near) to a given one.
     pub speed: T,
     /// Number of admissible speeds, which [`Problem::speeds`] lists.
     pub admissible: usize,
@@ -181,24 +181,37 @@ impl<T: Real, S> Found<T, S> {
 }
 
 /// The speeds that a search has to find.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) enum Wanted {
     First,
     /// The first, and the number of all.
     All,
+    /// The nearest to this speed (m/s), and the number of all.
+    Nearest(f64),
+}
+
+impl Wanted {
+    /// Whether a speed (m/s) is preferred to one with a slower approach.
+    #[inline(always)]
+    fn prefers<T: Real>(self, speed: T, slower: T) -> bool {
+        match self {
+            Self::First | Self::All => false,
+            Self::Nearest(wanted) => (speed - wanted).abs() < (slower - wanted).abs(),
+        }
+    }
 }
 
 /// Checks the speeds that give the energy, in the order of their approach speeds.
 pub(crate) struct Search<'a, T, S> {
     problem: &'a Problem<T>,
     wanted: Wanted,
-    first: Option<Found<T, S>>,
+    found: Option<Found<T, S>>,
     refused: Option<ReconcileError>,
 }
 
 impl<'a, T: Real, S> Search<'a, T, S> {
     pub(crate) fn new(problem: &'a Problem<T>, wanted: Wanted) -> Self {
-        Self { problem, wanted, first: None, refused: None }
+        Self { problem, wanted, found: None, refused: None }
     }
 
     #[inline(always)]
@@ -207,12 +220,15 @@ impl<'a, T: Real, S> Search<'a, T, S> {
             return;
         }
         let problem = self.problem;
-        match (problem.impact(speed), &mut self.first) {
-            (Ok(_), Some(first)) => first.admissible += 1,
-            (Ok((law, outcome)), first) => {
-                *first = Some(Found { speed, admissible: 1, law, outcome, steps });
+        match problem.impact(speed) {
+            Ok((law, outcome)) => {
+                let admissible = self.found.as_ref().map_or(0, |found| found.admissible) + 1;
+                match &mut self.found {
+                    Some(found) if !self.wanted.prefers(speed, found.speed) => found.admissible = admissible,
+                    found => *found = Some(Found { speed, admissible, law, outcome, steps }),
+                }
             }
-            (Err(reason), _) => {
+            Err(reason) => {
                 let vehicle = problem.unknown.vehicle();
                 self.refused.get_or_insert(ReconcileError::Inadmissible {
                     vehicle,
@@ -225,13 +241,13 @@ impl<'a, T: Real, S> Search<'a, T, S> {
 
     /// Whether the search has found all that is wanted.
     pub(crate) fn is_done(&self) -> bool {
-        self.wanted == Wanted::First && self.first.is_some()
+        matches!(self.wanted, Wanted::First) && self.found.is_some()
     }
 
     #[inline(always)]
     pub(crate) fn finish(self) -> Result<Found<T, S>, ReconcileError> {
         let problem = self.problem;
-        self.first.ok_or_else(|| {
+        self.found.ok_or_else(|| {
             self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.unknown.vehicle(),
                 energy: problem.normal_work_sought().value(),

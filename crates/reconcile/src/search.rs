@@ -59,11 +59,24 @@ impl Problem {
     /// # Errors
     /// [`ReconcileError`].
     pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
+        self.solve_for(Wanted::All)
+    }
+
+    /// As [`solve`](Self::solve), but of several admissible speeds the nearest to `speed` (m/s): one of
+    /// [`speeds`](Self::speeds), or that of a problem with nearly the same numbers.
+    ///
+    /// # Errors
+    /// [`ReconcileError`].
+    pub fn solve_near(&self, speed: f64) -> Result<Reconciliation, ReconcileError> {
+        self.solve_for(Wanted::Nearest(speed))
+    }
+
+    fn solve_for(&self, wanted: Wanted) -> Result<Reconciliation, ReconcileError> {
         let posed = self.posed()?;
         Ok(if self.has_closed_form() {
-            posed.closed_form(Wanted::All)?.reconciling(self, |()| SolutionMethod::ClosedForm)
+            posed.closed_form(wanted)?.reconciling(self, |()| SolutionMethod::ClosedForm)
         } else {
-            posed.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder)
+            posed.search(wanted)?.reconciling(self, SolutionMethod::RootFinder)
         })
     }
 

@@ -2,7 +2,8 @@
 
 use analysis::{
     Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
-    HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning, Warning, Weighed,
+    FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning, Warning,
+    Weighed,
 };
 use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
 use crash3::Side;
@@ -325,13 +326,15 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 of_all(impact)
             )
         }
-        Warning::SeveralSpeeds { speeds } => {
-            let all: Vec<String> = speeds.iter().map(|&si| speed(si)).collect();
+        Warning::SeveralSpeeds { answer, others } => {
+            let all: Vec<String> = others.iter().map(|&si| speed(si)).collect();
             format!(
-                "{} speeds give the crush energy: {}; the answer is the first, which has the slowest \
-                 approach",
-                speeds.len(),
-                all.join(", ")
+                "not only {} gives the crush energy, but also {}; the answer is the speed within certain_speed \
+                 (without it, 0 to {}) with which the vehicles move least relative to each other; only other \
+                 evidence can show that it is the right one: give certain_speed, rest positions or marks",
+                speed(*answer),
+                all.join(", "),
+                units.format(Measure::RoadSpeed, FASTEST_BELIEVED)
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(

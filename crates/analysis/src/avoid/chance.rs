@@ -2,7 +2,7 @@
 
 use ::uncertainty::normal::quantiles;
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, order_statistic, random};
-use inputs::{AvoidForm, BrakingForm, Input};
+use inputs::{AvoidForm, Input};
 
 use super::posing::SoughtSpeeds;
 use super::scene::{AvoidScene, Sight};
@@ -142,14 +142,11 @@ pub(super) fn chance(
                 subject: speeds.and_then(|told| of(told.speeds)),
                 other: speeds.and_then(|told| of(told.other)).or_else(|| other(first + lane)),
             };
-            let mut form = form.map(|number| number.at(&columns, lane));
-            let ways = std::iter::once(&mut form.braking)
-                .chain(form.same_line.as_mut().map(|line| &mut line.braking));
-            for (way, errors) in ways.zip(errors.iter().flatten()) {
-                if let BrakingForm::Recorded { error, .. } = way {
-                    *error = errors[lane];
-                }
-            }
+            let form = form.map(|number| number.at(&columns, lane));
+            let form = match &errors {
+                Some(errors) => form.with_errors(errors.each_ref().map(|errors| errors[lane])),
+                None => form,
+            };
             pose(&form, sought, obstacles).ok()
         }));
     }
@@ -207,7 +204,7 @@ fn of_scenes(
     influences.sort_by(|a, b| b.difference.abs().total_cmp(&a.difference.abs()));
     let mut greatest: Vec<f64> = avoiding.into_iter().flatten().collect();
     greatest.sort_by(f64::total_cmp);
-    let has_temporal = posed.first().is_some_and(|scene| scene.clears_after.is_some());
+    let has_temporal = posed.first().is_some_and(|scene| scene.clears.is_some());
     Some(AvoidChance {
         samples: scenes.len(),
         possible: posed.len(),

@@ -47,10 +47,10 @@ impl SameLine {
         [distance, time]: [f64; 2],
     ) -> Result<Option<Self>, Unposed> {
         // A solution that lets it move backwards says that it stood; a speed that is given says what it says.
-        let known = form.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
+        let known = form.motion.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
         // Phases that begin with a known speed lead to that at the impact.
-        let Some(speed) = known.or(form.braking.leads_on().then_some(0.0)) else { return Ok(None) };
-        if speed == 0.0 && matches!(form.braking, BrakingForm::Unknown) {
+        let Some(speed) = known.or(form.motion.braking.leads_on().then_some(0.0)) else { return Ok(None) };
+        if speed == 0.0 && matches!(form.motion.braking, BrakingForm::Unknown) {
             return Ok(None);
         }
         // One that backs comes the other way, and its phases are those of that way.
@@ -60,7 +60,7 @@ impl SameLine {
             Along::Oncoming => (Along::Ahead, -speed),
         };
         let mut approach =
-            Approach::of_other(&form.braking, speed, response).map_err(Unposed::OtherPhases)?;
+            Approach::of_other(&form.motion.braking, speed, response).map_err(Unposed::OtherPhases)?;
         let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
         let speed = approach.at_impact;
         let deceleration = if speed > 0.0 { (-last).max(0.0) } else { 0.0 };

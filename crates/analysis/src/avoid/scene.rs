@@ -63,8 +63,8 @@ pub struct AvoidScene {
     pub limit: f64,
     /// What the driver could have done.
     pub response: Response,
-    /// (s) after the impact, the other party would have left the danger zone, if it would have moved on.
-    pub clears_after: Option<f64>,
+    /// How the other party would have left the danger zone, if it would have moved on.
+    pub clears: Option<Clears>,
     /// What the driver did.
     pub actual: ActualRun,
     /// What obstacles do to the view.
@@ -73,6 +73,41 @@ pub struct AvoidScene {
     pub same_line: Option<SameLine>,
     /// How the vehicle moved, where phases or a recorder tell.
     pub(super) driven: Option<Driven>,
+}
+
+/// How the other party would have left the danger zone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clears {
+    /// (m) how far it still had to go.
+    pub distance: f64,
+    /// (s) after the impact.
+    pub after: f64,
+    /// Whether it backs.
+    pub backs: bool,
+}
+
+impl Clears {
+    fn of(clear: &ClearForm, demand: &DemandForm, sought: Option<f64>) -> Result<Self, Unposed> {
+        let speed = match (&clear.speed, demand) {
+            (ClearSpeedForm::AsItCame, DemandForm::Other(other)) => {
+                let distance = clear.distance(false)?;
+                let in_all = other.advance().time_over(other.distance.si() + distance)?;
+                return Ok(Self { distance, after: in_all - other.time()?, backs: false });
+            }
+            (ClearSpeedForm::Steady(speed), _) => Some(speed.si()),
+            // A solution that lets it move backward says that it stood.
+            (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => sought.map(|speed| speed.max(0.0)),
+        };
+        let backs = speed.is_some_and(|speed| speed < 0.0);
+        let distance = clear.distance(backs)?;
+        let after = match (speed, &clear.speed) {
+            (Some(speed), _) if speed != 0.0 => Advance::Steady { speed: speed.abs() }.time_over(distance)?,
+            // Among others that move, one that stands never clears it.
+            (Some(_), ClearSpeedForm::AsItCame | ClearSpeedForm::Sought) => FAR,
+            (Some(_), ClearSpeedForm::Steady(_)) | (None, _) => return Err(Unposed::OtherStands),
+        };
+        Ok(Self { distance, after, backs })
+    }
 }
 
 /// Since when the view of the other party has been free, without a break up to the impact.
@@ -201,9 +236,7 @@ impl AvoidScene {
 
     /// The same, wherever the other vehicle is.
     pub(super) fn of_vehicle(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
-        let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
-        let of = |reaction, deceleration| Response::new(reaction, swell, deceleration, form.swell_form);
-        let response = of(form.reaction_time.si(), form.deceleration.si())?;
+        let response = response(form)?;
         let (at_demand, at_impact) = match &form.speed {
             SpeedForm::AtDemand(speed) => (Some(speed.si()), None),
             SpeedForm::AtImpact(speed) => (None, Some(speed.si())),
@@ -215,9 +248,8 @@ impl AvoidScene {
         if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
             return Err(Unposed::Stands);
         }
-        let clears_after = form.clear.as_ref();
-        let clears_after =
-            clears_after.map(|clear| clears_after_impact(clear, &form.demand, sought.other)).transpose()?;
+        let clear = form.clear.as_ref();
+        let clears = clear.map(|clear| Clears::of(clear, &form.demand, sought.other)).transpose()?;
         let partly = Self {
             speed: 0.0,
             at_impact: 0.0,
@@ -225,7 +257,7 @@ impl AvoidScene {
             time: 0.0,
             limit: form.limit.si(),
             response,
-            clears_after,
+            clears,
             actual: ActualRun::Responded,
             view: View::Open,
             same_line: None,
@@ -240,7 +272,8 @@ impl AvoidScene {
         }
         match (&form.braking, at_demand, at_impact) {
             (BrakingForm::Skid { length, friction }, at_demand, at_impact) => {
-                let slowed = of(response.reaction(), friction * STANDARD_GRAVITY)?;
+                let full = friction * STANDARD_GRAVITY;
+                let slowed = Response::new(response.reaction(), response.swell(), full, response.form())?;
                 partly.skidded(since, slowed, length.si(), [at_demand, at_impact])
             }
             (BrakingForm::Unknown, Some(speed), _) => Ok(partly.responded(since, speed)),
@@ -607,7 +640,7 @@ impl AvoidScene {
 
     /// (s) after the demand, the other party has left the danger zone; `None` if that is not asked.
     pub(super) fn cleared(&self) -> Option<f64> {
-        self.clears_after.map(|after| self.time + after)
+        self.clears.map(|clears| self.time + clears.after)
     }
 
     /// Whether an arrival (s) at the place of the impact is after the other party has left the danger zone;
@@ -618,8 +651,7 @@ impl AvoidScene {
 
     /// Whether a course leads to the place that late, or never; never true if that is not asked.
     fn comes_late(&self, course: &AvoidCourse) -> bool {
-        self.clears_after.is_some()
-            && course.arrival(self.distance).is_none_or(|arrival| self.is_late(arrival))
+        self.clears.is_some() && course.arrival(self.distance).is_none_or(|arrival| self.is_late(arrival))
     }
 
     /// (m/s) the speed at the demand, and the one that is not exceeded later.
@@ -673,6 +705,12 @@ fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]
 /// (m/s) to which a speed is found that just avoids the collision.
 const TOLERANCE: f64 = 1e-10;
 
+/// What the driver could have done.
+pub(super) fn response(form: &AvoidForm) -> Result<Response, InvalidInput> {
+    let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
+    Response::new(form.reaction_time.si(), swell, form.deceleration.si(), form.swell_form)
+}
+
 /// Where or when the demand is; `None` if obstacles decide.
 pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInput> {
     Ok(match &form.demand {
@@ -681,22 +719,4 @@ pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInp
         DemandForm::Other(other) => Some(Since::Time(other.time()?)),
         DemandForm::Sight => None,
     })
-}
-
-/// (s) after the impact, the other party has cleared the danger zone.
-fn clears_after_impact(clear: &ClearForm, demand: &DemandForm, sought: Option<f64>) -> Result<f64, Unposed> {
-    let distance = clear.distance()?;
-    let speed = match (&clear.speed, demand) {
-        (ClearSpeedForm::AsItCame, DemandForm::Other(other)) => {
-            return Ok(other.advance().time_over(other.distance.si() + distance)? - other.time()?);
-        }
-        (ClearSpeedForm::Steady(speed), _) => speed.si(),
-        (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => match sought {
-            Some(speed) if speed > 0.0 => speed,
-            // Among others that move, one that stands never clears it.
-            Some(_) => return Ok(FAR),
-            None => 0.0,
-        },
-    };
-    if speed > 0.0 { Ok(Advance::Steady { speed }.time_over(distance)?) } else { Err(Unposed::OtherStands) }
 }

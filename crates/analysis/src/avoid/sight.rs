@@ -1,12 +1,13 @@
 //! Since when the driver could see the other party.
 
-use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, SightForm, SpeedForm};
+use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, Quantity, SightForm, SpeedForm};
 use pim_core::Vector2;
 use real::Real;
-use time_distance::{first_sight, free_since, sees};
+use time_distance::{Leg, Response, first_sight, free_since, sees};
 
+use super::driven::{Approach, Driven};
 use super::posing::{Since, SoughtSpeeds, Unposed};
-use super::scene::{AvoidScene, Sight, View, given_demand};
+use super::scene::{AvoidScene, Sight, View, given_demand, response};
 
 /// (s) how far before the impact the sight is asked.
 pub const SIGHT_LOOK_BACK: f64 = 10.0;
@@ -99,22 +100,35 @@ impl Way {
 pub(crate) struct Ways {
     /// Those of the driver's eye and of the visible point.
     ways: [Way; 2],
-    /// (m/s) of the other party.
-    other_speed: f64,
+    /// How the other party moves, with times and places that count from the impact.
+    other: Driven,
+    /// 1 forward, −1 if it backs.
+    sign: f64,
 }
 
 impl Ways {
-    pub(crate) fn of(form: &SightForm) -> Self {
-        Self {
-            ways: [Way::of(&form.eye, &form.path), Way::of(&form.point, &form.other_path)],
-            other_speed: form.other_speed.si(),
-        }
+    /// The brakes of the other party build up as those of the response do.
+    pub(crate) fn of(form: &SightForm, response: &Response) -> Result<Self, Unposed> {
+        let speed = form.other.speed.as_ref().map_or(0.0, Quantity::si);
+        // The phases of one that backs are those of that way.
+        let sign = if speed < 0.0 { -1.0 } else { 1.0 };
+        let mut approach =
+            Approach::of_other(&form.other.braking, speed.abs(), response).map_err(Unposed::OtherPhases)?;
+        approach.legs.push(Leg { speed: approach.at_impact, ..Leg::at_rest(0.0, 0.0) });
+        let (other, _, _) = Driven::new(approach, Since::Time(0.0))?;
+        let ways = [Way::of(&form.eye, &form.path), Way::of(&form.point, &form.other_path)];
+        Ok(Self { ways, other, sign })
+    }
+
+    /// (m) what the other party has to go at a time (s) before the impact; negative if it backs.
+    fn of_other(&self, time: f64) -> f64 {
+        -self.sign * self.other.at(-time).position
     }
 
     /// (m) the eye and the visible point, where the vehicle has `way` (m) and both have `time` (s) to go.
     pub(crate) fn before(&self, way: f64, time: f64) -> [Vector2<f64>; 2] {
         let [eye, point] = &self.ways;
-        [eye.back(way), point.back(self.other_speed * time)]
+        [eye.back(way), point.back(self.of_other(time))]
     }
 
     /// The same at a time (s) before the impact, on the actual run.
@@ -134,7 +148,7 @@ impl Ways {
     }
 
     pub(crate) fn sight(&self, way: f64, time: f64) -> Sight {
-        Sight { time, distance_subject: way, distance_other: self.other_speed * time }
+        Sight { time, distance_subject: way, distance_other: self.of_other(time) }
     }
 
     /// When the view became free, from which on the driver reacts.
@@ -195,7 +209,8 @@ pub(super) fn pose(
     sought: SoughtSpeeds,
     obstacles: Outlines<'_>,
 ) -> Result<AvoidScene, Unposed> {
-    let ways = form.sight.as_ref().map(Ways::of);
+    let response = response(form)?;
+    let ways = form.sight.as_ref().map(|sight| Ways::of(sight, &response)).transpose()?;
     let (since, of_sight) = match (given_demand(form)?, &ways) {
         (Some(since), _) => (since, None),
         (None, None) => return Err(Unposed::NeverHidden),

@@ -23,8 +23,9 @@ use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
-use crate::given::with_sideslip;
+use crate::given::{certain_limits, speed_limits, with_sideslip};
 use crate::recorded::{RecordsOfImpact, with_records_of_impact};
+use crate::thresholds::FASTEST_BELIEVED;
 use crate::uncertainty::{UncertainInput, any_inputs, inputs};
 use crate::unsolved;
 use crate::warning::Warning;
@@ -76,8 +77,6 @@ const LOAD_SHARE: f64 = 0.05;
 const GROUND_LN_SD: f64 = 0.10;
 /// (–) standard deviation of the logarithm of the drag of a vehicle's wheels.
 const DRAG_LN_SD: f64 = 0.30;
-/// (m/s) upper limit of the speed of a vehicle in the prior.
-const FASTEST: f64 = 70.0;
 /// (–) standard deviation of the logarithm of a coefficient of the impact without a range: for e, that of the
 /// field; for the friction, a choice.
 const RESTITUTION_LN_SD: f64 = FITTED.restitution[3];
@@ -699,21 +698,20 @@ fn speeds(
 ) -> Result<OpenSpeeds, Failure> {
     let key = |id: VehicleId| format!("{}.speed", table(id));
     let limits = |id: VehicleId| {
-        let certain = case.vehicles[id.index()].certain_speed.unwrap_or_default();
-        let si = |limit: Option<Quantity>| limit.as_ref().map(Quantity::si);
-        let (least, most) = (si(certain.at_least), si(certain.at_most));
+        let vehicle = &case.vehicles[id.index()];
+        let [least, most] = certain_limits(vehicle);
         let fault = |of: &str, reason: String, advice: String| {
             let kind = FaultKind::Refused { reason };
             let key = format!("{}.certain_speed.{of}", table(id));
             Failure::Case(Fault { key, kind, advice: Some(advice) }.into())
         };
-        if let Some(least) = least.filter(|least| *least >= FASTEST && most.is_none()) {
+        if let Some(least) = least.filter(|least| *least >= FASTEST_BELIEVED && most.is_none()) {
             return Err(fault(
                 "at_least",
                 format!(
                     "{:.0} km/h is faster than any speed that is considered: the highest is {:.0} km/h",
                     3.6 * least,
-                    3.6 * FASTEST
+                    3.6 * FASTEST_BELIEVED
                 ),
                 "check its unit".to_owned(),
             ));
@@ -729,9 +727,7 @@ fn speeds(
                 ),
             ));
         }
-        let (least, most) = (least.unwrap_or(0.0), most.unwrap_or(FASTEST));
-        // A limit below zero means that the vehicle may have moved backward.
-        Ok([if most <= least { most - FASTEST } else { least }, most])
+        Ok(speed_limits(vehicle))
     };
     let [limits1, limits2] = VehicleId::ALL.map(limits);
     let limits = [limits1?, limits2?];

@@ -18,6 +18,7 @@ use reconcile::{Problem, Unknown};
 use super::{Reason, as_beside};
 use crate::columns::{Collisions, Columns, Number, uncertain_places};
 use crate::found::refused;
+use crate::goal::speed_and_impact;
 use crate::output::Output;
 use crate::quantities::{OUTPUTS, of_impact};
 
@@ -76,10 +77,13 @@ struct Sought {
     basis: EnergyBasis,
     /// λ, where the crush takes a share of the tangential work.
     share: Option<Number>,
+    /// (m/s) the speed at the central values, if it is not that with the slowest approach.
+    chosen: Option<f64>,
 }
 
 impl Block {
-    /// The block of a case with this number of `uncertain` numbers.
+    /// The block of a case with this number of `uncertain` numbers. `chosen` is the speed (m/s) at the
+    /// central values, if it is not that with the slowest approach.
     ///
     /// # Errors
     /// [`Alone`] if the case is left to [`Sample`](super::Sample).
@@ -88,6 +92,7 @@ impl Block {
         uncertain: usize,
         outputs: &[Output],
         central: &[f64],
+        chosen: Option<f64>,
     ) -> Result<Self, Alone> {
         let sought = match &case.reconstruct {
             None => None,
@@ -100,6 +105,7 @@ impl Block {
                     Basis::Dissipated | Basis::Absorbed => None,
                     Basis::TangentialShare(share) => Some(*share),
                 },
+                chosen,
             }),
         };
         // A block does not compute the outputs of vehicles that are followed to rest.
@@ -206,7 +212,7 @@ impl Block {
     fn at_once_with(
         &self,
         (condition, [e, numbers]): (impl Fn(f64) -> Tangential, [&Lanes; 2]),
-        Sought { unknown, basis, share: _ }: Sought,
+        Sought { unknown, basis, .. }: Sought,
         columns: &Columns,
         outputs: &mut [Lanes],
     ) -> ([bool; LANES], [u8; LANES]) {
@@ -281,7 +287,8 @@ impl Block {
     ) -> Result<(f64, Outcome), Option<Reason>> {
         if let Some(sought) = self.sought {
             let problem = self.problem(columns, sought, inputs, lane).map_err(Some)?;
-            return problem.speed_and_impact().map_err(|why| Some(Reason::of(&refused(&problem, why))));
+            return speed_and_impact(&problem, sought.chosen)
+                .map_err(|why| Some(Reason::of(&refused(&problem, why))));
         }
         let Some((contact, law, motions)) = self.collisions.collision(columns, inputs, lane) else {
             return Err(Some(self.fault(inputs, lane)));
@@ -302,7 +309,7 @@ impl Block {
     fn problem(
         &self,
         columns: &Columns,
-        Sought { unknown, basis, share }: Sought,
+        Sought { unknown, basis, share, .. }: Sought,
         inputs: &[Lanes],
         lane: usize,
     ) -> Result<Problem, Reason> {
@@ -325,10 +332,11 @@ impl Block {
 }
 
 impl AtOnce {
-    /// `None` for a curve of restitution, a moment impulse or a share of the tangential work.
+    /// `None` for a curve of restitution, a moment impulse, a share of the tangential work, or a choice
+    /// between speeds.
     fn new(sought: &Sought, law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
-        if sought.share.is_some() {
+        if sought.share.is_some() || sought.chosen.is_some() {
             return None;
         }
         let (restitution, condition) = match law {

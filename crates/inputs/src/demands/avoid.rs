@@ -13,7 +13,7 @@ use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
     Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OffLine,
-    OtherForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
+    OtherForm, OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -74,6 +74,12 @@ impl Case {
         demand.finish(form)
     }
 
+    /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
+    #[must_use]
+    pub fn avoid_plan(&self) -> Option<SightForm> {
+        self.sight_form(self.avoid.as_ref()?, &self.avoid_basis())
+    }
+
     /// What the central values tell of the question.
     #[must_use]
     pub fn avoid_basis(&self) -> AvoidBasis {
@@ -95,7 +101,7 @@ impl Case {
             let recorder = self.vehicles[other.index()].recorder.as_ref();
             recorder.is_some_and(|recorder| recorder.tells_speed(ground).is_some())
         });
-        AvoidBasis { recorded: [own, on_line.and_then(recorded)], is_recorded, along }
+        AvoidBasis { recorded: [own, recorded(subject.other())], is_recorded, along }
     }
 
     /// How the other vehicle moved along the line of the one that is asked about, if their headings say that
@@ -139,7 +145,7 @@ impl<T: Copy + From<f64>> Case<T> {
             GivenDemand::Sight => DemandForm::Sight,
         };
         let has_obstacle = !avoid.obstacles.is_empty();
-        let sight = if has_obstacle { Some(self.sight_form(avoid)?) } else { None };
+        let sight = if has_obstacle { Some(self.sight_form(avoid, basis)?) } else { None };
         let clear = match &avoid.clear {
             Some(clear) => Some(ClearForm {
                 way: match &clear.way {
@@ -198,7 +204,7 @@ impl<T: Copy + From<f64>> Case<T> {
         let braking = self.braking_form(other, recorded)?;
         let is_sought = matches!(self.avoid_speed(), SpeedForm::Sought);
         let is_told = speed.is_some() || is_sought || basis.is_recorded || braking.leads_on();
-        is_told.then_some(SameLineForm { along, speed, braking })
+        is_told.then_some(SameLineForm { along, motion: OtherMotionForm { speed, braking } })
     }
 
     /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.
@@ -229,12 +235,6 @@ impl<T: Copy + From<f64>> Case<T> {
         }
     }
 
-    /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
-    #[must_use]
-    pub fn avoid_plan(&self) -> Option<SightForm<T>> {
-        self.sight_form(self.avoid.as_ref()?)
-    }
-
     /// The eye and the point at the impact, each if the case tells it. Beside a position in a survey, the
     /// origin is that of the survey, and nothing is there.
     fn sight_places(&self, avoid: &Avoid<T>) -> [Option<PlaceForm<T>>; 2] {
@@ -248,7 +248,7 @@ impl<T: Copy + From<f64>> Case<T> {
         [place(avoid.sight.eye, subject), place(avoid.sight.point, other)]
     }
 
-    fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
+    fn sight_form(&self, avoid: &Avoid<T>, basis: &AvoidBasis) -> Option<SightForm<T>> {
         let [eye, point] = self.sight_places(avoid);
         let [path, other_path] = self.sight_paths(avoid);
         Some(SightForm {
@@ -256,7 +256,7 @@ impl<T: Copy + From<f64>> Case<T> {
             path: path?,
             point: point?,
             other_path: other_path?,
-            other_speed: self.other_speed(avoid)?,
+            other: self.other_motion(avoid, &basis.recorded)?,
         })
     }
 
@@ -281,16 +281,25 @@ impl<T: Copy + From<f64>> Case<T> {
         [of(&sight.path, &sight.heading, subject), of(&sight.other_path, &sight.other_heading, other)]
     }
 
-    /// (m/s) how fast the other party moves.
-    fn other_speed(&self, avoid: &Avoid<T>) -> Option<Quantity<T>> {
+    /// How the other party moves: at the constant speed that `[avoid]` gives, or as its table tells.
+    fn other_motion(
+        &self,
+        avoid: &Avoid<T>,
+        [_, recorded]: &[Option<Arc<SampledApproach>>; 2],
+    ) -> Option<OtherMotionForm<T>> {
         // Who starts from a stop has no one speed.
         let of_demand = match &avoid.demand {
             Some(GivenDemand::Other(other)) if other.acceleration.is_none() => other.speed.as_ref(),
             _ => None,
         };
         let of_clear = avoid.clear.as_ref().and_then(|clear| clear.speed.as_ref());
-        let given = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear);
-        given.map(|given| given.quantity).or(self.known_speed(self.avoid_subject().other()).copied())
+        if let Some(given) = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear) {
+            return Some(OtherMotionForm { speed: Some(given.quantity), braking: BrakingForm::Unknown });
+        }
+        let other = self.avoid_subject().other();
+        let speed = self.known_speed(other).copied();
+        let braking = self.braking_form(other, recorded)?;
+        (speed.is_some() || braking.leads_on()).then_some(OtherMotionForm { speed, braking })
     }
 }
 
@@ -518,8 +527,9 @@ impl Demand<'_, f64> {
         }
         let [eye, point] = self.case.sight_places(avoid);
         let [path, other_path] = self.case.sight_paths(avoid);
-        let speed = self.case.other_speed(avoid);
-        if let Some(form) = self.case.sight_form(avoid) {
+        let basis = self.case.avoid_basis();
+        let motion = self.case.other_motion(avoid, &basis.recorded);
+        if let Some(form) = self.case.sight_form(avoid, &basis) {
             for (key, end, place, path) in [
                 ("avoid.sight.path", "eye", &form.eye, &form.path),
                 ("avoid.sight.other_path", "point", &form.point, &form.other_path),
@@ -559,7 +569,7 @@ impl Demand<'_, f64> {
                 "`other_heading`, the direction in which the other party moves, as in other_heading = \"90 deg\"",
             ),
             (
-                speed.is_some(),
+                motion.is_some(),
                 "avoid.sight.other_speed",
                 "`other_speed`, how fast the other party moves, as in other_speed = \"1.5 m/s\"",
             ),

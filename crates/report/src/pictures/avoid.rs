@@ -81,7 +81,7 @@ pub(crate) fn party(case: &Case) -> &'static str {
 pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) -> PathTimePicture {
     let scene = &found.scene;
     let party = party(case);
-    let clears = scene.clears_after.map(|after| scene.time + after);
+    let clears = scene.clears.map(|clears| scene.time + clears.after);
     let ends = found.runs.iter().map(|run| run.arrival.or(run.course.stops_after()).unwrap_or(scene.time));
     let last = ends.chain(clears).fold(scene.time, f64::max);
     let until = last * (1.0 + 2.0 * BEYOND);
@@ -105,7 +105,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         Some(DemandForm::Other(other)) => Some(other),
         _ => None,
     };
-    let out = form.as_ref().and_then(|form| form.clear.as_ref()?.distance().ok());
+    let out = scene.clears.map(|clears| clears.distance);
     let goes_on = given.and_then(|avoid| avoid.clear.as_ref()).is_some_and(|clear| clear.speed.is_none());
     let crossing = || {
         let mut points = Vec::new();

@@ -90,7 +90,7 @@ pub(super) fn picture(
             })
             .collect(),
         found: [found.speed, found.normal_work],
-        others: found.admissible.iter().skip(1).map(|&si| (si, format!("also {}", speed(si)))).collect(),
+        others: found.others().map(|si| (si, format!("also {}", speed(si)))).collect(),
         steps: found.iterations.iter().flatten().map(|step| [step.speed, step.normal_work]).collect(),
         found_label: answer,
     })

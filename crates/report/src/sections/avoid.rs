@@ -6,8 +6,8 @@ use analysis::{
     View, Warning, obstacle_name,
 };
 use case::{
-    Along, Avoid, AvoidBasis, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm,
-    PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text, Velocity,
+    Along, Avoid, BrakingForm, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherMotionForm,
+    OtherParty, PathForm, PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text, Velocity,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -154,7 +154,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         lines.push(format!(
             "{is} in time {at}{central}: after the demand, {} takes {} to clear the danger zone, and the vehicle {}",
             party(case),
-            units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
+            units.format(Measure::Time, scene.time + scene.clears.map_or(0.0, |clears| clears.after)),
             match meeting {
                 Some(meeting) => format!("arrives after {}", units.format(Measure::Time, meeting.time)),
                 None => "stops before".to_owned(),
@@ -455,30 +455,30 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         Some(GivenDemand::Sight) | None => {}
     }
     let mut goes_on = false;
-    let cleared = case.avoid_form(&AvoidBasis::default()).and_then(|form| form.clear?.distance().ok());
     let mut by_outlines = None;
     if let Some(Clear { way, speed }) = &given.clear {
         match way {
             GivenWayOut::Distance(distance) => {
                 row("distance to clear zone", "avoid.clear.distance", distance);
             }
-            GivenWayOut::Outlines => by_outlines = cleared,
+            GivenWayOut::Outlines => by_outlines = found.scene.clears,
         }
         match speed {
             Some(speed) => row("speed on that way", "avoid.clear.speed", speed),
             None => goes_on = true,
         }
     }
-    if let Some(distance) = by_outlines {
+    if let Some(clears) = by_outlines {
         table.notes.push(format!(
-            "From the impact, the other vehicle goes {} until its outline has left the strip that vehicle {} sweeps, each \
+            "From the impact, the other vehicle goes {}{} until its outline has left the strip that vehicle {} sweeps, each \
              straight along its heading.",
-            units.format(Measure::Way, distance),
+            units.format(Measure::Way, clears.distance),
+            if clears.backs { " backward" } else { "" },
             found.vehicle
         ));
     }
     if goes_on {
-        let speed = cleared.zip(found.scene.clears_after).map(|(distance, time)| distance / time);
+        let speed = found.scene.clears.map(|clears| clears.distance / clears.after);
         table.notes.push(match (&given.demand, speed) {
             (Some(GivenDemand::Other(_)), _) | (_, None) => "The other party moves on as it came.".to_owned(),
             (_, Some(speed)) => format!(
@@ -671,9 +671,7 @@ fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
 
 /// From where to where the driver looks.
 fn ways(case: &Case) -> String {
-    let Some(form) = case.avoid_form(&AvoidBasis::default()).and_then(|form| form.sight) else {
-        return String::new();
-    };
+    let Some(form) = case.avoid_plan() else { return String::new() };
     let how = |form: &PlaceForm| match form {
         PlaceForm::Given(_) => "at the place given",
         PlaceForm::Position(_) => "at the centre of gravity of the vehicle",
@@ -687,15 +685,23 @@ fn ways(case: &Case) -> String {
             format!("through the {count} point{} given", if count == 1 { "" } else { "s" })
         }
     };
+    let way = |other: &OtherMotionForm| match (&other.braking, other.speed) {
+        (BrakingForm::Phases(_), _) => "as its phases tell".to_owned(),
+        (BrakingForm::Skid { .. }, _) => "as its skid marks tell".to_owned(),
+        (BrakingForm::Recorded { .. }, _) => "as its recorder tells".to_owned(),
+        (BrakingForm::Unknown | BrakingForm::Unbraked, speed) => {
+            speed.map_or_else(String::new, |speed| format!("at a constant {speed}"))
+        }
+    };
     format!(
         "At the impact, the driver's eye is {}, and the first visible part of {} is {}. The vehicle approaches the impact {}, the \
-         other party {} at a constant {}.",
+         other party {} {}.",
         how(&form.eye),
         party(case),
         how(&form.point),
         path(&form.path),
         path(&form.other_path),
-        form.other_speed,
+        way(&form.other),
     )
 }
 
@@ -988,7 +994,7 @@ const MOST_OF_TYRES: f64 = 1.5 * STANDARD_GRAVITY;
 
 fn enough(found: &Avoidance, units: Units) -> Block {
     let enough = &found.enough;
-    let is_in_time = found.scene.clears_after.is_some();
+    let is_in_time = found.scene.clears.is_some();
     let none = if is_in_time || found.on_line().is_some() {
         "none is enough"
     } else {

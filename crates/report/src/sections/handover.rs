@@ -448,7 +448,8 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
         let roots = match found.admissible.len() {
             1 => "one admissible speed exists".to_owned(),
             several => format!(
-                "{several} admissible speeds exist, and the one with the slowest approach is the answer"
+                "{several} admissible speeds exist, and of those within the limits of the vehicle's speed the \
+                 answer is the one with which the vehicles move least relative to each other"
             ),
         };
         paragraphs.push(format!(

@@ -572,7 +572,6 @@ pub(crate) fn search(found: &Found) -> String {
 
 /// The speeds that give the crush energy as well as the one that leads; `None` if there is only that one.
 pub(super) fn other_speeds(found: &Found, units: Units) -> Option<String> {
-    let [_, others @ ..] = found.admissible.as_slice() else { return None };
-    let all: Vec<String> = others.iter().map(|&speed| units.road_speed(speed)).collect();
-    (!all.is_empty()).then(|| format!("Also admissible, with a faster approach: {}", all.join(", ")))
+    let all: Vec<String> = found.others().map(|speed| units.road_speed(speed)).collect();
+    (!all.is_empty()).then(|| format!("Also admissible: {}", all.join(", ")))
 }

@@ -159,7 +159,8 @@ impl<'a> Page<'a> {
                     self.units.format(Measure::RoadSpeed, limit)
                 ),
                 Doubt::SeveralSpeeds => {
-                    "have several speeds that agree with the crush energy; the slowest approach counts"
+                    "have several speeds that agree with the crush energy; the one on the side of the central \
+                     answer counts"
                         .to_owned()
                 }
                 Doubt::HighRestitution => format!(
