@@ -3,8 +3,8 @@
 use allocation_counter::measure;
 use deltav_benches::spin_out;
 use oracle::scenes::{Car, Scene};
-use pim_core::{ImpactError, Tangential};
-use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Problem, Unknown};
+use pim_core::{ImpactError, Tangential, VehicleId};
+use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Problem};
 use trajectory::{Control, Steer, Target, to_rest, to_start};
 
 fn collision(tangential: Tangential) -> Scene {
@@ -56,7 +56,7 @@ fn a_search_for_a_speed_allocates_nothing() {
                 contact: scene.contact(),
                 law: scene.law().into(),
                 motions: scene.motions(),
-                unknown: Unknown::Speed1,
+                unknown: VehicleId::One,
                 crush_energy: 1e5,
                 basis: EnergyBasis::Dissipated,
                 tangential_share: 0.0,

@@ -34,8 +34,8 @@
 //! that it needs below `target/`.
 
 use crash3::{CrushError, Profile, Stiffness, crush_energy};
-use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential, VehicleId};
+use reconcile::{EnergyBasis, Problem, ReconcileError};
 use trajectory::{Axles, Chassis, Control, Ground, Outset, State, Steer, Vector2};
 
 /// (m) one inch.
@@ -172,7 +172,7 @@ impl Example {
             contact: self.contact,
             law: Self::law(tangential)?.into(),
             motions: self.motions,
-            unknown: Unknown::Speed1,
+            unknown: VehicleId::One,
             crush_energy: self
                 .damage
                 .iter()

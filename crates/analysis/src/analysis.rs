@@ -14,10 +14,10 @@ use crate::vehicle::Vehicle;
 use crate::warning::Warning;
 
 /// A finished analysis in the axes of the engine: y to the left, counter-clockwise positive.
-/// [`Analysis::seen`] converts it to those of a reader.
+/// [`Analysis::seen`] converts it, with its warnings `W`, to those of a reader.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Analysis {
+pub struct Analysis<W = Warning> {
     /// The energy that the crush energy has to equal.
     pub basis: Basis,
     /// The speed found, in a reconstruction.
@@ -48,10 +48,10 @@ pub struct Analysis {
     /// The consistency checks, passed or not.
     pub checks: Vec<Check>,
     /// Warnings for a careful reader.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<W>,
 }
 
-impl Analysis {
+impl<W> Analysis<W> {
     /// Whether a vehicle can move and is not a fixed object.
     #[must_use]
     pub fn moves(&self, vehicle: VehicleId) -> bool {
@@ -72,6 +72,18 @@ impl Analysis {
     #[must_use]
     pub fn delta_v(&self) -> [f64; 2] {
         self.exchange().map(|exchange| exchange.delta_v.map(|change| change.norm())).unwrap_or_default()
+    }
+
+    /// The effect of the impact; `None` in an analysis of only the damage or only the motion.
+    #[must_use]
+    pub fn exchange(&self) -> Option<Exchange> {
+        Exchange::of(self.both.as_ref(), self.impact.as_ref())
+    }
+
+    /// The impact by the law of the case at the speeds from momentum: a check of the law, not a result.
+    #[must_use]
+    pub fn law_check(&self) -> Option<&Impact> {
+        by_momentum(self.both.as_ref()).and(self.impact.as_ref())
     }
 }
 
@@ -94,17 +106,5 @@ impl Analysis {
             checks: Vec::new(),
             warnings: Vec::new(),
         }
-    }
-
-    /// The effect of the impact; `None` in an analysis of only the damage or only the motion.
-    #[must_use]
-    pub fn exchange(&self) -> Option<Exchange> {
-        Exchange::of(self.both.as_ref(), self.impact.as_ref())
-    }
-
-    /// The impact by the law of the case at the speeds from momentum: a check of the law, not a result.
-    #[must_use]
-    pub fn law_check(&self) -> Option<&Impact> {
-        by_momentum(self.both.as_ref()).and(self.impact.as_ref())
     }
 }

@@ -2,7 +2,7 @@
 
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
 use pim_core::{Outcome, VehicleId};
-use reconcile::{EvidenceErrors, MomentumBesideCrush, Unknown, are_collinear};
+use reconcile::{EvidenceErrors, MomentumBesideCrush, are_collinear};
 
 use crate::analysis::Analysis;
 use crate::both::{Posed, pose_agreeing};
@@ -196,7 +196,7 @@ fn seeking(case: &Case, find: Find) -> Case {
 /// with a speed.
 fn given_speed(case: &Case) -> Option<VehicleId> {
     match case.reconstruct?.find {
-        Find::One(unknown) => Some(unknown.vehicle().other()),
+        Find::One(unknown) => Some(unknown.other()),
         Find::Both => {
             let given = case.vehicles.each_ref().map(|vehicle| vehicle.motion.is_some());
             match given {
@@ -214,13 +214,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
     for vehicle in &mut bare.vehicles {
         vehicle.after = None;
     }
-    let found = |case: &Case, given: VehicleId| {
-        let unknown = match given {
-            VehicleId::One => Unknown::Speed2,
-            VehicleId::Two => Unknown::Speed1,
-        };
-        reconstruct(&seeking(case, Find::One(unknown)))
-    };
+    let found = |case: &Case, given: VehicleId| reconstruct(&seeking(case, Find::One(given.other())));
     if let Some(given) = given_speed(case) {
         let analysis = found(&bare, given)?;
         let by = EvidenceMethod::DamageAndSpeed { given };

@@ -1,7 +1,8 @@
 //! The speed that a reconstruction finds.
 
 use inputs::Case;
-use reconcile::{AffineImpact, ApproachLine, Iteration, Problem, Quadratic, ReconcileError, Unknown};
+use pim_core::VehicleId;
+use reconcile::{AffineImpact, ApproachLine, Iteration, Problem, Quadratic, ReconcileError};
 
 use crate::failure::Failure;
 use crate::given::speed_limits;
@@ -11,7 +12,7 @@ use crate::given::speed_limits;
 #[non_exhaustive]
 pub struct Found {
     /// The vehicle of the speed.
-    pub unknown: Unknown,
+    pub unknown: VehicleId,
     /// (m/s) the speed along the heading.
     pub speed: f64,
     /// (m/s) all admissible speeds, from the slowest approach to the fastest.
@@ -53,7 +54,7 @@ const AS_FAR: f64 = 1e-9;
 /// with which the vehicles move least relative to each other, and of two as good the one with the slower
 /// approach. If none is within the limits, all are compared. `None` if there is no admissible speed.
 pub(crate) fn chosen(case: &Case, problem: &Problem, admissible: &[f64]) -> Option<f64> {
-    let id = problem.unknown.vehicle();
+    let id = problem.unknown;
     let [least, most] = speed_limits(&case.vehicles[id.index()]);
     let is_believed = |speed: f64| speed >= least - AT_LIMIT && speed <= most + AT_LIMIT;
     // |v_other − s ê| is least where s = v_other · ê.

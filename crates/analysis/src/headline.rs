@@ -17,32 +17,28 @@ use crate::failure::Failure;
 use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
-use crate::seen::Seen;
 use crate::speeds::BothMethod;
 use crate::warning::Warning;
 
-impl Seen {
-    /// As [`Analysis::refuting`].
+impl<W> Analysis<W> {
+    /// The checks that refute this exact solution: those that compare it with evidence or with what is
+    /// possible at all, and not with the coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
-        refuting(&self.checks)
+        self.checks.iter().filter(|check| {
+            let refutes = match check.quantity {
+                CheckedQuantity::MomentumYawRate { .. }
+                | CheckedQuantity::MomentumEnergy { .. }
+                | CheckedQuantity::MomentumAcross { .. }
+                | CheckedQuantity::PossibleRestitution { .. } => true,
+                // Under no impact law is it below 0 or above 1.
+                CheckedQuantity::MomentumRestitution { implied, .. } => {
+                    (implied - 1.0).max(-implied) > check.limit
+                }
+                _ => false,
+            };
+            refutes && !check.passed()
+        })
     }
-}
-
-fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
-    checks.iter().filter(|check| {
-        let refutes = match check.quantity {
-            CheckedQuantity::MomentumYawRate { .. }
-            | CheckedQuantity::MomentumEnergy { .. }
-            | CheckedQuantity::MomentumAcross { .. }
-            | CheckedQuantity::PossibleRestitution { .. } => true,
-            // Under no impact law is it below 0 or above 1.
-            CheckedQuantity::MomentumRestitution { implied, .. } => {
-                (implied - 1.0).max(-implied) > check.limit
-            }
-            _ => false,
-        };
-        refutes && !check.passed()
-    })
 }
 
 /// Whether any of the evidence that an answer does not use can be weighed with the rest: a case for momentum
@@ -83,7 +79,7 @@ impl Analysis {
     #[must_use]
     pub fn solved_by(&self) -> EvidenceMethod {
         match (&self.found, self.both.as_ref().map(|both| &both.method)) {
-            (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.vehicle().other() },
+            (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.other() },
             (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
             (None, Some(BothMethod::MomentumAndSpeed { given })) => {
                 EvidenceMethod::MomentumAndSpeed { given: *given }
@@ -93,12 +89,6 @@ impl Analysis {
             }
             (None, Some(BothMethod::Momentum) | None) => EvidenceMethod::Momentum,
         }
-    }
-
-    /// The checks that refute this exact solution: those that compare it with evidence or with what is
-    /// possible at all, and not with the coefficients of the impact law, which are assumed.
-    pub fn refuting(&self) -> impl Iterator<Item = &Check> {
-        refuting(&self.checks)
     }
 
     /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the

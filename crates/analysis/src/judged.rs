@@ -53,7 +53,7 @@ pub(crate) fn judged(
     let speeds = of_both.or_else(|| impact.as_ref().map(before));
     warning::of_case(case, &mut warnings);
     let is_found = VehicleId::ALL.map(|id| {
-        found.as_ref().is_some_and(|found| found.unknown.vehicle() == id)
+        found.as_ref().is_some_and(|found| found.unknown == id)
             || both.as_ref().is_some_and(|both| both.vehicles().any(|vehicle| vehicle == id))
     });
     warning::of_data(vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), is_found, &mut warnings);

@@ -93,7 +93,7 @@ impl Output {
                 Reading::No => false,
                 Reading::Found => match both {
                     Some(both) => both.vehicles().any(is_own),
-                    None => analysis.found.as_ref().is_some_and(|found| is_own(found.unknown.vehicle())),
+                    None => analysis.found.as_ref().is_some_and(|found| is_own(found.unknown)),
                 },
                 OfImpact(_, by_momentum) => {
                     let is_told = both.is_none() || by_momentum.is_some();

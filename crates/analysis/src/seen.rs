@@ -1,70 +1,30 @@
 //! A finished analysis in the axes of a reader.
 
-use inputs::{Axes, Basis, SurfaceData};
-use pim_core::{ImpactError, Switch, VehicleId};
+use std::ops::Deref;
+
+use inputs::Axes;
+use pim_core::{ImpactError, Switch};
 
 use crate::analysis::Analysis;
-use crate::check::Check;
-use crate::damage::Crash3;
-use crate::exchange::{Exchange, by_momentum};
 use crate::failure::Failure;
-use crate::found::Found;
 use crate::impact::Impact;
-use crate::speeds::BothFound;
-use crate::travel::{SolvedSkid, Travel};
-use crate::vehicle::Vehicle;
 use crate::warning::{Drive, JumpSide, Warning};
 
 /// A finished analysis as a reader sees it: in the axes of the case, whereas an [`Analysis`] is in those of
 /// the engine. Output for people or programs takes this type, so that no number can be written in the wrong
-/// axes.
+/// axes. Its surface stays in the axes of the engine.
 #[derive(Clone, Debug)]
-#[non_exhaustive]
 pub struct Seen {
     /// The axes of all its numbers.
     pub axes: Axes,
-    /// As [`Analysis::basis`].
-    pub basis: Basis,
-    /// As [`Analysis::found`].
-    pub found: Option<Found>,
-    /// As [`Analysis::both`].
-    pub both: Option<BothFound>,
-    /// As [`Analysis::impact`].
-    pub impact: Option<Impact>,
-    /// As [`Analysis::travel`].
-    pub travel: [Option<Travel>; 2],
-    /// As [`Analysis::skids`].
-    pub skids: [Option<SolvedSkid>; 2],
-    /// As [`Analysis::surface`], in the axes of the engine.
-    pub surface: Option<SurfaceData>,
-    /// As [`Analysis::vehicles`].
-    pub vehicles: [Vehicle; 2],
-    /// As [`Analysis::crash3`].
-    pub crash3: Option<Crash3>,
-    /// As [`Analysis::left_aside`].
-    pub left_aside: Vec<String>,
-    /// As [`Analysis::can_be_weighed`].
-    pub can_be_weighed: bool,
-    /// As [`Analysis::checks`].
-    pub checks: Vec<Check>,
-    /// As [`Analysis::warnings`].
-    pub warnings: Vec<SeenWarning>,
+    answer: Analysis<SeenWarning>,
 }
 
-impl Seen {
-    /// As [`Analysis::moves`].
-    #[must_use]
-    pub fn moves(&self, vehicle: VehicleId) -> bool {
-        self.vehicles[vehicle.index()].moves()
-    }
+impl Deref for Seen {
+    type Target = Analysis<SeenWarning>;
 
-    /// As [`Analysis::speed`].
-    #[must_use]
-    pub fn speed(&self, vehicle: VehicleId) -> f64 {
-        match (&self.both, &self.impact) {
-            (Some(both), _) => both.speeds[vehicle.index()],
-            (None, impact) => impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle)),
-        }
+    fn deref(&self) -> &Self::Target {
+        &self.answer
     }
 }
 
@@ -101,7 +61,7 @@ impl Analysis {
             mut both,
             mut impact,
             // It is only drawn, in the axes of the engine.
-            geometry: _,
+            geometry,
             mut travel,
             skids,
             surface,
@@ -129,12 +89,12 @@ impl Analysis {
                 }
             }
         }
-        Seen {
-            axes,
+        let answer = Analysis {
             basis,
             found,
             both,
             impact,
+            geometry,
             travel,
             skids,
             surface,
@@ -144,7 +104,8 @@ impl Analysis {
             can_be_weighed,
             checks,
             warnings,
-        }
+        };
+        Seen { axes, answer }
     }
 }
 
@@ -248,19 +209,5 @@ impl Failure {
             }
             (_, failure) => failure,
         }
-    }
-}
-
-impl Seen {
-    /// As [`Analysis::exchange`].
-    #[must_use]
-    pub fn exchange(&self) -> Option<Exchange> {
-        Exchange::of(self.both.as_ref(), self.impact.as_ref())
-    }
-
-    /// As [`Analysis::law_check`].
-    #[must_use]
-    pub fn law_check(&self) -> Option<&Impact> {
-        by_momentum(self.both.as_ref()).and(self.impact.as_ref())
     }
 }

@@ -643,7 +643,7 @@ pub(crate) fn of_given_speed(case: &Case, vehicle: VehicleId, found: f64) -> Opt
 }
 
 pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
-    let vehicle = found.unknown.vehicle();
+    let vehicle = found.unknown;
     let mut warnings = Vec::from_iter(of_given_speed(case, vehicle, found.speed));
     let others = Vec::from_iter(found.others());
     if !others.is_empty() {

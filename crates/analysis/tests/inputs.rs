@@ -11,7 +11,7 @@ use inputs::{
     ImpactLaw, LeftOut, Mass, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine,
     Velocity, YawInertia,
 };
-use reconcile::Unknown;
+use pim_core::VehicleId;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
@@ -82,7 +82,7 @@ fn built() -> Case {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Dissipated }),
+        reconstruct: Some(Reconstruct { find: Find::One(VehicleId::One), energy_basis: Basis::Dissipated }),
         ..Case::default()
     }
 }

@@ -74,7 +74,7 @@ fn derivatives_are_central_differences_on_every_fixture() {
             let [Ok(low2), Ok(low), Ok(high), Ok(high2)] = sides else { continue };
             for (j, &value) in nominal.iter().enumerate() {
                 let output = match j {
-                    0 => SPEED.of_vehicle(sensitivity.nominal.found.as_ref().unwrap().unknown.vehicle()),
+                    0 => SPEED.of_vehicle(sensitivity.nominal.found.as_ref().unwrap().unknown),
                     number => DELTA_V.of_vehicle(VehicleId::ALL[number - 1]),
                 };
                 let row =

@@ -444,7 +444,7 @@ fn of_several_speeds_the_one_with_the_least_relative_speed_leads() {
     let found = raised(analysis::reconstruct, text, "several-speeds");
     let [Warning::SeveralSpeeds { answer, others }] = &found[..] else { panic!("{found:?}") };
     assert_close("answer", *answer, 3.138_867_093_155_077_7, 1e-9);
-    let known = 29.717_991_295_516_111 * 0.447_04;
+    let known = 29.717_991_295_516_11 * 0.447_04;
     let between = (100.640_381_448_519_16_f64 - 11.916_570_072_427_358).to_radians();
     let relative = |speed: f64| (known * known + speed * speed - 2.0 * known * speed * between.cos()).sqrt();
     assert_eq!(others.len(), 2);

@@ -24,12 +24,12 @@ use crash3::Side;
 use inputs::{
     Basis, BrachTangential, CertainSpeed, Fault, FaultKind, GivenEstimate, Recorder, SeverityPrior,
 };
+use pim_core::VehicleId;
 use pim_core::{Law, Tangential};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
-use reconcile::Unknown;
 
 fn fixtures() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -119,7 +119,7 @@ fn the_papers_example_is_read() {
     };
     assert_eq!(impact.law, law);
     assert!((impact.crush_plane.si() + 23.0 * std::f64::consts::PI / 180.0).abs() < 1e-15);
-    let wanted = Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Dissipated };
+    let wanted = Reconstruct { find: Find::One(VehicleId::One), energy_basis: Basis::Dissipated };
     assert_eq!(case.reconstruct, Some(wanted));
     assert_eq!(case.unit_system(), UnitSystem::Us);
 }
@@ -231,7 +231,7 @@ fn the_other_forms_are_read() {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Absorbed }),
+        reconstruct: Some(Reconstruct { find: Find::One(VehicleId::One), energy_basis: Basis::Absorbed }),
         ranges: Vec::new(),
         left_out: LeftOut { axes: true, law: true, energy_basis: false, fit: [false; 2] },
         ..Case::default()
@@ -1645,7 +1645,7 @@ fn any_basis() -> impl Strategy<Value = Basis> {
 fn any_case() -> impl Strategy<Value = Case> {
     let impact = (any_quantity(Dimension::Angle, Signs::Any), any_law())
         .prop_map(|(crush_plane, law)| GivenImpact { crush_plane, law });
-    let finds = vec![Find::One(Unknown::Speed1), Find::One(Unknown::Speed2), Find::Both];
+    let finds = vec![Find::One(VehicleId::One), Find::One(VehicleId::Two), Find::Both];
     let reconstruct =
         (select(finds), any_basis()).prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
     let ground = (option::of(any_place()), option::of(any_surface().boxed()));
@@ -1679,7 +1679,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     diameter,
                     ..GivenVehicle::default()
                 };
-                let moving = Find::One([Unknown::Speed2, Unknown::Speed1][index]);
+                let moving = Find::One([VehicleId::Two, VehicleId::One][index]);
                 reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
             }
             // A crush can be inferred only from one that was measured.

@@ -30,7 +30,7 @@
 //! let law = Law::new(0.3, Tangential::Critical)?;
 //! let crush_energy = 1.02e5 + 3.87e4;
 //! let (law, basis) = (law.into(), EnergyBasis::Dissipated);
-//! let (unknown, tangential_share) = (Unknown::Speed1, 0.0);
+//! let (unknown, tangential_share) = (VehicleId::One, 0.0);
 //! let problem = Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
 //! let answer = problem.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
@@ -82,6 +82,6 @@ pub mod prelude {
     pub use pim_core::{
         Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw, VehicleId,
     };
-    pub use reconcile::{Problem, Reconciliation, Unknown};
+    pub use reconcile::{Problem, Reconciliation};
     pub use report::Units;
 }

@@ -7,7 +7,6 @@ mod values;
 pub use avoidance::is_of_avoid;
 
 use pim_core::{Real, VehicleId};
-use reconcile::Unknown;
 
 use crate::avoid::Avoid;
 use crate::axes::Axes;
@@ -104,7 +103,7 @@ pub struct Reconstruct<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Find {
     /// One speed; the other is known.
-    One(Unknown),
+    One(VehicleId),
     /// The speeds of both vehicles.
     Both,
 }
@@ -112,7 +111,7 @@ pub enum Find {
 impl Find {
     /// The unknown one; `None` if both are.
     #[must_use]
-    pub fn unknown(self) -> Option<Unknown> {
+    pub fn unknown(self) -> Option<VehicleId> {
         match self {
             Self::One(unknown) => Some(unknown),
             Self::Both => None,
@@ -122,7 +121,7 @@ impl Find {
     /// Whether the speed of a vehicle is unknown.
     #[must_use]
     pub fn seeks(self, vehicle: VehicleId) -> bool {
-        self.unknown().is_none_or(|unknown| unknown.vehicle() == vehicle)
+        self.unknown().is_none_or(|unknown| unknown == vehicle)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The data that each purpose takes from a case, in the types of the engines.
 
 use crash3::{DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness};
+use pim_core::VehicleId;
 use pim_core::{Contact, Motion, VaryingLaw};
-use reconcile::Unknown;
 
 use crate::basis::Basis;
 use crate::crush::Fit;
@@ -176,7 +176,7 @@ pub struct ReconstructionInput<T = f64> {
     /// The collision, in which one speed is unknown.
     pub collision: CollisionData<T>,
     /// The unknown speed.
-    pub unknown: Unknown,
+    pub unknown: VehicleId,
     /// The energy basis.
     pub basis: Basis<T>,
 }

@@ -32,7 +32,7 @@ impl<T: Real> Case<T> {
     pub fn reconstruction(&self) -> Result<ReconstructionInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Reconstruct);
         let unknown = demand.unknown();
-        let collision = demand.collision(|id| unknown.is_some_and(|unknown| unknown.vehicle() != id));
+        let collision = demand.collision(|id| unknown.is_some_and(|unknown| unknown != id));
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.vehicles) {
             if !vehicle.fixed && !vehicle.is_absent() && !vehicle.has_damage_data() {
                 demand.missing_crush(id);

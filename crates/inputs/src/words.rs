@@ -2,7 +2,7 @@
 //! theirs as `WORDS`.
 
 use crash3::{ObliqueCorrection, Side};
-use reconcile::Unknown;
+use pim_core::VehicleId;
 
 /// `crush.side`.
 pub const SIDES: [(&str, Side); 4] =
@@ -20,8 +20,8 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 ];
 
 /// `reconstruct.find`.
-pub const UNKNOWNS: [(&str, Unknown); 2] =
-    [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
+pub const UNKNOWNS: [(&str, VehicleId); 2] =
+    [("vehicle1.speed", VehicleId::One), ("vehicle2.speed", VehicleId::Two)];
 
 /// The words of an enum, `WORDS`, and `name`, that of a value.
 macro_rules! words {
@@ -68,7 +68,7 @@ pub fn word<T: PartialEq>(table: &[(&'static str, T)], choice: &T) -> &'static s
 #[cfg(test)]
 mod tests {
     use crash3::Side;
-    use reconcile::Unknown;
+    use pim_core::VehicleId;
 
     use super::{SIDES, UNKNOWNS, word};
     use crate::axes::Axes;
@@ -94,7 +94,7 @@ mod tests {
     }
 
     places!(Side: Front, Rear, Left, Right);
-    places!(Unknown: Speed1, Speed2);
+    places!(VehicleId: One, Two);
     places!(Axes: ZUp, ZDown);
     places!(Fit: Exact, Mean);
     places!(VehicleKind: Car, HeavyTruck, Trailer, Motorcycle);

@@ -9,6 +9,7 @@ use inputs::{
     GivenVehicle, ImpactLaw, Mass, Pdof, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm,
     StiffnessLine, Velocity, YawInertia,
 };
+use pim_core::VehicleId;
 
 fn q(number: f64, unit: &str, dimension: Dimension) -> Quantity {
     Quantity::new(number, dimension.unit(unit).unwrap()).unwrap()
@@ -192,10 +193,9 @@ fn a_sought_speed_is_left_out() {
         vehicle.crush = Some(damage());
     }
     case.vehicles[0].crush = Some(Crush { side: Side::Right, pdof: None, ..damage() });
-    case.reconstruct =
-        Some(Reconstruct { find: Find::One(reconcile::Unknown::Speed1), energy_basis: Basis::Absorbed });
+    case.reconstruct = Some(Reconstruct { find: Find::One(VehicleId::One), energy_basis: Basis::Absorbed });
     let input = case.reconstruction().unwrap();
-    assert_eq!(input.unknown, reconcile::Unknown::Speed1);
+    assert_eq!(input.unknown, VehicleId::One);
     assert_eq!(input.basis, Basis::Absorbed);
     assert_eq!(input.collision.motions[0].velocity.norm(), 0.0);
     assert_near(input.collision.motions[0].yaw_rate, 0.2 * PI);

@@ -4,8 +4,8 @@
 
 use std::error::Error;
 
-use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
-use reconcile::{EnergyBasis, Problem, Unknown};
+use pim_core::{Body, Contact, Law, Motion, Participant, Tangential, VehicleId};
+use reconcile::{EnergyBasis, Problem};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix: the GMC Jimmy's speed is sought, the Nissan Altima had 10 mph.
@@ -23,7 +23,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
             contact,
             law,
             motions,
-            unknown: Unknown::Speed1,
+            unknown: VehicleId::One,
             crush_energy: 1.41e5,
             basis,
             tangential_share: 0.0,

@@ -229,7 +229,7 @@ impl<'a, T: Real, S> Search<'a, T, S> {
                 }
             }
             Err(reason) => {
-                let vehicle = problem.unknown.vehicle();
+                let vehicle = problem.unknown;
                 self.refused.get_or_insert(ReconcileError::Inadmissible {
                     vehicle,
                     speed: speed.value(),
@@ -249,7 +249,7 @@ impl<'a, T: Real, S> Search<'a, T, S> {
         let problem = self.problem;
         self.found.ok_or_else(|| {
             self.refused.unwrap_or(ReconcileError::NotReached {
-                vehicle: problem.unknown.vehicle(),
+                vehicle: problem.unknown,
                 energy: problem.normal_work_sought().value(),
                 tangential_share: problem.tangential_share.value(),
             })

@@ -3,7 +3,7 @@
 //!
 //! ```
 //! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
-//! use reconcile::{EnergyBasis, Problem, Unknown};
+//! use reconcile::{EnergyBasis, Problem};
 //!
 //! // SAE 980025, appendix: how fast was the GMC Jimmy, if both vehicles' crush took 1.41e5 N·m?
 //! let jimmy = Participant::polar(Body::new(1676.5, 3304.1)?, 180_f64.to_radians(), 1.920, -22.4_f64.to_radians())?;
@@ -16,7 +16,7 @@
 //!     contact,
 //!     law: law.into(),
 //!     motions,
-//!     unknown: Unknown::Speed1,
+//!     unknown: VehicleId::One,
 //!     crush_energy: 1.41e5,
 //!     basis: EnergyBasis::Dissipated,
 //!     tangential_share: 0.0,
@@ -27,7 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
+//! The types: a [`Problem`] is a collision with one unknown speed; solving it gives a [`Reconciliation`],
 //! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
 //! [`Problem::speeds`] lists all admissible speeds. The intermediate results of a closed form are
 //! [`Problem::line`] and, under the law that acts, [`Problem::quadratic`] and [`Problem::affine_impact`].
@@ -115,4 +115,4 @@ pub use momentum::{
     BothSpeeds, COLLINEAR, Departure, EvidenceErrors, Implied, Momentum, MomentumAndCrush,
     MomentumBesideCrush, MomentumError, WeighedSpeeds, are_collinear, central_contact, point_masses,
 };
-pub use problem::{Problem, Unknown};
+pub use problem::Problem;

@@ -13,51 +13,25 @@ use crate::line::ApproachLine;
 /// effect of the speed.
 const LEAST_COSINE: f64 = 1e-9;
 
-/// The speed sought: that of one vehicle along its course.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Unknown {
-    /// The speed of vehicle 1.
-    Speed1,
-    /// The speed of vehicle 2.
-    Speed2,
+/// The element of a pair that belongs to a vehicle. An index would not be resolved in a loop over samples.
+#[inline(always)]
+fn of<V>(vehicle: VehicleId, [one, two]: [V; 2]) -> V {
+    match vehicle {
+        VehicleId::One => one,
+        VehicleId::Two => two,
+    }
 }
 
-impl Unknown {
-    /// The vehicle whose speed it is.
-    #[inline(always)]
-    #[must_use]
-    pub const fn vehicle(self) -> VehicleId {
-        match self {
-            Self::Speed1 => VehicleId::One,
-            Self::Speed2 => VehicleId::Two,
-        }
-    }
-
-    /// 0 or 1: the index of that vehicle in a pair.
-    #[inline(always)]
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.vehicle().index()
-    }
-
-    /// The element of a pair that belongs to this vehicle. An index would not be resolved in a loop over
-    /// samples.
-    #[inline(always)]
-    fn of<V>(self, [one, two]: [V; 2]) -> V {
-        match self {
-            Self::Speed1 => one,
-            Self::Speed2 => two,
-        }
-    }
-
-    /// Both motions, with this vehicle's velocity replaced.
-    #[inline(always)]
-    fn with_velocity<T: Real>(self, [one, two]: [Motion<T>; 2], velocity: Vector2<T>) -> [Motion<T>; 2] {
-        match self {
-            Self::Speed1 => [Motion { velocity, ..one }, two],
-            Self::Speed2 => [one, Motion { velocity, ..two }],
-        }
+/// Both motions, with the velocity of a vehicle replaced.
+#[inline(always)]
+fn with_velocity<T: Real>(
+    vehicle: VehicleId,
+    [one, two]: [Motion<T>; 2],
+    velocity: Vector2<T>,
+) -> [Motion<T>; 2] {
+    match vehicle {
+        VehicleId::One => [Motion { velocity, ..one }, two],
+        VehicleId::Two => [one, Motion { velocity, ..two }],
     }
 }
 
@@ -84,7 +58,7 @@ pub struct Problem<T = f64> {
     /// Motions before impact. The velocity of the vehicle whose speed is sought is not used; its yaw rate is.
     pub motions: [Motion<T>; 2],
     /// The vehicle whose speed is sought.
-    pub unknown: Unknown,
+    pub unknown: VehicleId,
     /// (J) crush energy of both vehicles.
     pub crush_energy: T,
     /// The energy that the crush represents.
@@ -108,7 +82,7 @@ impl<T: Real> Problem<T> {
 
     #[inline(always)]
     pub(crate) fn makes_sense(&self, slope: NormalTangential<T>) -> bool {
-        !self.unknown.of(*self.contact.participants()).body().is_fixed()
+        !of(self.unknown, *self.contact.participants()).body().is_fixed()
             & (self.crush_energy > T::ZERO)
             & self.crush_energy.is_finite()
             & !self.law.is_elastic()
@@ -130,8 +104,8 @@ impl<T: Real> Problem<T> {
     /// The reason why the problem is not valid.
     #[cold]
     pub(crate) fn refusal(&self) -> ReconcileError {
-        let vehicle = self.unknown.vehicle();
-        if self.unknown.of(*self.contact.participants()).body().is_fixed() {
+        let vehicle = self.unknown;
+        if of(self.unknown, *self.contact.participants()).body().is_fixed() {
             ReconcileError::Fixed { vehicle }
         } else if !(self.crush_energy > T::ZERO && self.crush_energy.is_finite()) {
             ReconcileError::NoCrushEnergy { energy: self.crush_energy.value() }
@@ -140,7 +114,7 @@ impl<T: Real> Problem<T> {
         } else if !self.has_tangential_share() {
             ReconcileError::TangentialShare { share: self.tangential_share.value(), basis: self.basis }
         } else {
-            let course = self.unknown.of(*self.contact.participants()).course();
+            let course = of(self.unknown, *self.contact.participants()).course();
             let cosine = self.contact.resolve(course).normal.value();
             ReconcileError::SpeedWithoutEffect { vehicle, cosine }
         }
@@ -150,13 +124,13 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     #[must_use]
     pub fn line(&self) -> ApproachLine<T> {
-        let at_rest = self.unknown.with_velocity(self.motions, Vector2::new(T::ZERO, T::ZERO));
+        let at_rest = with_velocity(self.unknown, self.motions, Vector2::new(T::ZERO, T::ZERO));
         let Approach { velocity: at_rest, relative_yaw_rate } = self.contact.approach(&at_rest);
-        let course = self.contact.resolve(self.unknown.of(*self.contact.participants()).course());
+        let course = self.contact.resolve(of(self.unknown, *self.contact.participants()).course());
         // u is vehicle 1 relative to vehicle 2, so vehicle 2's speed enters with the opposite sign.
         let slope = match self.unknown {
-            Unknown::Speed1 => course,
-            Unknown::Speed2 => NormalTangential { normal: -course.normal, tangential: -course.tangential },
+            VehicleId::One => course,
+            VehicleId::Two => NormalTangential { normal: -course.normal, tangential: -course.tangential },
         };
         ApproachLine { at_rest, slope, relative_yaw_rate }
     }
@@ -184,8 +158,8 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     #[must_use]
     pub fn motions_at(&self, speed: T) -> [Motion<T>; 2] {
-        let course = self.unknown.of(*self.contact.participants()).course();
-        self.unknown.with_velocity(self.motions, course * speed)
+        let course = of(self.unknown, *self.contact.participants()).course();
+        with_velocity(self.unknown, self.motions, course * speed)
     }
 
     /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or NaN if no impact is

@@ -17,8 +17,8 @@ mod scan;
 use oracle::compare::assert_close;
 use oracle::scenes::{Car, Scene};
 use oracle::{Scale, Verdict, verdict};
-use pim_core::Tangential;
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use pim_core::{Tangential, VehicleId};
+use reconcile::{EnergyBasis, Problem, ReconcileError};
 
 use self::draws::{Draws, Sought, sought};
 use self::engine::Judgement;
@@ -248,7 +248,7 @@ fn the_scan_sees_both_roots_about_a_turn() {
     };
     for e0 in [0.0, 0.3, 0.7_f64] {
         let curve = vec![(0.0, e0), (20.0, 1.0)];
-        let sought = Sought { scene, curve, unknown: Unknown::Speed1, basis: EnergyBasis::Dissipated };
+        let sought = Sought { scene, curve, unknown: VehicleId::One, basis: EnergyBasis::Dissipated };
         let scan = Scan::new(&sought, 1).unwrap();
         let e = (e0 + (e0 * e0 + 8.0).sqrt()) / 4.0;
         let v = (e - e0) / (1.0 - e0) * 20.0;

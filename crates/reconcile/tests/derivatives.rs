@@ -1,9 +1,9 @@
 //! Derivatives of the equations, with [`Duals`] in place of `f64`.
 
 use crash3::{EnergyBasis, Profile, Stiffness, StruckVehicle, crush_energy, delta_v};
+use pim_core::VehicleId;
 use pim_core::{Body, Contact, Law, Motion, Participant, Real, Tangential};
 use real::Duals;
-use reconcile::Unknown;
 
 use crate::reconciliation::posed;
 
@@ -28,7 +28,7 @@ fn chain<T: Real>(
     let contact = Contact::new([one, two], crush_plane).unwrap();
     let law = Law::new(restitution, tangential).unwrap();
     let motions = [Motion::rest().with_yaw_rate(t(0.1)), Motion::along(heading, t(4.47))];
-    let problem = posed(contact, law, motions, Unknown::Speed1, energy, basis).unwrap();
+    let problem = posed(contact, law, motions, VehicleId::One, energy, basis).unwrap();
     let answer = problem.closed_form().unwrap().unwrap();
     let outcome = answer.outcome;
     let [v1, v2] = outcome.delta_v_magnitude();

@@ -8,8 +8,8 @@ use crash3::{
     EnergyBasis, ObliqueCorrection, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, moment_arm,
 };
 use oracle::compare::{assert_close, assert_printed, assert_relative};
-use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
-use reconcile::{Problem, Reconciliation, SolutionMethod, Unknown};
+use pim_core::{Body, Contact, Law, Motion, Participant, Tangential, VehicleId};
+use reconcile::{Problem, Reconciliation, SolutionMethod};
 
 use crate::reconciliation::posed;
 
@@ -76,7 +76,7 @@ fn problem() -> Problem {
     let [e1, e2] = energies();
     let law = Law::new(RESTITUTION, Tangential::Critical).unwrap();
     let motions = [Motion::rest(), Motion::along(HEADINGS[1].to_radians(), 10.0 * MPH)];
-    posed(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Dissipated).unwrap()
+    posed(contact(), law, motions, VehicleId::One, e1 + e2, EnergyBasis::Dissipated).unwrap()
 }
 
 pub(crate) fn reconciliation() -> Reconciliation {
@@ -241,7 +241,7 @@ fn absorbed_energy_asks_for_a_lower_speed() {
     let [e1, e2] = energies();
     let law = Law::new(RESTITUTION, Tangential::Critical).unwrap();
     let motions = [Motion::rest(), Motion::along(HEADINGS[1].to_radians(), 10.0 * MPH)];
-    let absorbed = posed(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Absorbed).unwrap();
+    let absorbed = posed(contact(), law, motions, VehicleId::One, e1 + e2, EnergyBasis::Absorbed).unwrap();
     assert_relative("W_n", absorbed.normal_work_sought(), 0.91 * (e1 + e2), 1e-14);
     let answer = absorbed.solve().unwrap();
     assert_relative("W_n", answer.outcome.energy.normal_work, 0.91 * (e1 + e2), 1e-12);

@@ -7,7 +7,7 @@ use oracle::scenes::{Scene, for_all};
 use oracle::{Verdict, approach, verdict};
 use pim_core::{ImpactError, Law, RestitutionCurve, Tangential, VehicleId};
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, Problem, ReconcileError};
 
 use crate::reconciliation::{Case, all_laws, case, head_on, places, posed, with_curve};
 
@@ -117,7 +117,7 @@ fn a_flat_curve_is_a_constant() {
 fn central(energy: f64, basis: EnergyBasis) -> Problem {
     let contact = pim_core::Contact::new(places(PI), 0.0).unwrap();
     let law = Law::new(0.3, Tangential::Critical).unwrap();
-    posed(contact, law, [pim_core::Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
+    posed(contact, law, [pim_core::Motion::rest(); 2], VehicleId::One, energy, basis).unwrap()
 }
 
 /// By hand, head-on and central with equal masses: W_n = ½ m̄ (1−e²) v² with m̄ = 750 kg, and ½ m̄ v² is
@@ -187,7 +187,7 @@ fn a_narrow_peak_of_a_curve_is_not_overlooked() {
 /// rest.
 #[test]
 fn a_refusal_at_one_speed_is_not_a_jam() {
-    let problem = head_on(places(PI), Unknown::Speed1, 0.3, 1e5).unwrap();
+    let problem = head_on(places(PI), VehicleId::One, 0.3, 1e5).unwrap();
     assert!(problem.solve().is_ok());
     for_all(3000, 0.005, (case((-1.5..1.5).prop_map(Tangential::Ratio)), 0.01..100.0), |(case, factor)| {
         let energy: f64 = 1e3 * factor;

@@ -5,7 +5,7 @@ use oracle::scenes::for_all;
 use oracle::{Condition, approach, solve};
 use pim_core::{Contact, Law, Motion, RestitutionCurve, Tangential, VehicleId};
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, ReconcileError};
 
 use crate::reconciliation::{Case, all_laws, case, places, posed, with_curve};
 
@@ -16,7 +16,7 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
     let contact = Contact::new(places(std::f64::consts::PI), 0.0).unwrap();
     let law = Law::new(0.3, Tangential::Critical).unwrap();
     let problem = |energy: f64, basis: EnergyBasis| {
-        posed(contact, law, [Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
+        posed(contact, law, [Motion::rest(); 2], VehicleId::One, energy, basis).unwrap()
     };
     for step in 0..40 {
         let e0 = 0.02 * f64::from(step);

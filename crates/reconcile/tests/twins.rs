@@ -4,8 +4,10 @@
 use std::cell::Cell;
 
 use oracle::scenes::for_all;
-use pim_core::{Body, Contact, ImpactError, Law, Motion, Participant, RestitutionCurve, Tangential};
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use pim_core::{
+    Body, Contact, ImpactError, Law, Motion, Participant, RestitutionCurve, Tangential, VehicleId,
+};
+use reconcile::{EnergyBasis, Problem, ReconcileError};
 
 use crate::reconciliation::{Case, all_laws, case, posed, with_curve};
 
@@ -61,7 +63,7 @@ fn a_critical_impulse_that_would_pull() {
                 let law = Law::new(0.1, Tangential::FractionOfCritical(f)).unwrap();
                 let motions = [Motion { yaw_rate: 1.0, ..Motion::rest() }, Motion::rest()];
                 let basis = EnergyBasis::Dissipated;
-                let Ok(problem) = posed(contact, law, motions, Unknown::Speed1, energy, basis) else {
+                let Ok(problem) = posed(contact, law, motions, VehicleId::One, energy, basis) else {
                     continue;
                 };
                 told += usize::from(tells_that_it_pulls(&problem));
@@ -100,7 +102,7 @@ fn nobody_is_faster_than_a_kilometre_per_second() {
     let at = |speed: f64| {
         let energy = 0.5 * 1500.0 * speed * speed;
         let motions = [Motion::rest(); 2];
-        posed(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated).unwrap()
+        posed(contact, law, motions, VehicleId::One, energy, EnergyBasis::Dissipated).unwrap()
     };
     assert!(at(999.0).solve_with_verdict().2[0]);
     assert!(at(999.0).solve().is_ok() && at(999.0).root_finder().is_ok());
@@ -117,14 +119,14 @@ fn problems_without_an_answer() {
     let across =
         Participant::new(Body::new(1500.0, 2700.0).unwrap(), std::f64::consts::FRAC_PI_2, 0.0, 2.0).unwrap();
     for (places, unknown, e, energy) in [
-        ([car, wall], Unknown::Speed1, 0.3, 1e5),
-        ([car, wall], Unknown::Speed2, 0.3, 1e5),
-        ([car, wall], Unknown::Speed1, 1.0, 1e5),
-        ([car, wall], Unknown::Speed1, 0.3, 0.0),
-        ([car, wall], Unknown::Speed1, 0.3, -1.0),
-        ([car, wall], Unknown::Speed1, 0.3, f64::INFINITY),
-        ([car, wall], Unknown::Speed1, 0.3, f64::NAN),
-        ([car, across], Unknown::Speed2, 0.3, 1e5),
+        ([car, wall], VehicleId::One, 0.3, 1e5),
+        ([car, wall], VehicleId::Two, 0.3, 1e5),
+        ([car, wall], VehicleId::One, 1.0, 1e5),
+        ([car, wall], VehicleId::One, 0.3, 0.0),
+        ([car, wall], VehicleId::One, 0.3, -1.0),
+        ([car, wall], VehicleId::One, 0.3, f64::INFINITY),
+        ([car, wall], VehicleId::One, 0.3, f64::NAN),
+        ([car, across], VehicleId::Two, 0.3, 1e5),
     ] {
         let contact = Contact::new(places, 0.0).unwrap();
         let law = Law::new(e, Tangential::Critical).unwrap();

@@ -322,7 +322,7 @@ impl<'a> PlainSpeed<'a> {
         if analysis.overdetermined().is_none() {
             return Self::Exact;
         }
-        let of_found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
+        let of_found = analysis.found.as_ref().map(|found| found.unknown);
         let sought = of_found.or_else(|| analysis.both.as_ref()?.sought());
         if sought.is_some_and(|sought| sought != vehicle) {
             return Self::Given;

@@ -35,8 +35,9 @@ pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
 
 /// The same for documents made from an analysis: empty if it has no warnings.
 pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Vec<Block> {
-    let warnings = analysis.seen(case.axes).warnings;
-    let warned = (!warnings.is_empty()).then(|| block(&warnings, units));
+    let seen = analysis.seen(case.axes);
+    let warnings = &seen.warnings;
+    let warned = (!warnings.is_empty()).then(|| block(warnings, units));
     left_aside(&analysis.left_aside, analysis.can_be_weighed).into_iter().chain(warned).collect()
 }
 

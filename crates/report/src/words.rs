@@ -8,7 +8,7 @@ use analysis::{EvidenceMethod, Evident, Hypothesis, Pass, Vehicle};
 use case::{Case, Find, Fit, Program, SIDES, StiffnessSource, Text, UNKNOWNS, VehicleKind, word};
 use crash3::Side;
 use pim_core::Regime;
-use reconcile::Unknown;
+use pim_core::VehicleId;
 
 use crate::units::{Measure, Units};
 
@@ -38,7 +38,7 @@ pub(crate) fn file_name(name: &Text) -> Text {
     last.map_or_else(|| name.clone(), Text::from)
 }
 
-pub(crate) fn unknown_name(unknown: Unknown) -> &'static str {
+pub(crate) fn unknown_name(unknown: VehicleId) -> &'static str {
     word(&UNKNOWNS, &unknown)
 }
 

@@ -247,7 +247,7 @@ fn statistics(
 
 fn found_quantity(outcome: &Outcome) -> Option<&str> {
     let found = outcome.found.as_ref()?.seen()?.found.as_ref()?;
-    Some(match found.unknown.vehicle() {
+    Some(match found.unknown {
         VehicleId::One => "vehicle1.speed",
         VehicleId::Two => "vehicle2.speed",
     })

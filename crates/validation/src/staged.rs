@@ -4,9 +4,9 @@ use analysis::{Analysis, Impact};
 use case::CaseFile;
 use crash3::{CrushError, EnergyBasis, Profile, Side, SideStiffness, StruckVehicle};
 use evidence::{CrushNumbers, DamagedSide};
-use pim_core::{Law, Tangential};
+use pim_core::{Law, Tangential, VehicleId};
 use real::principal_angle;
-use reconcile::{Problem, Unknown};
+use reconcile::Problem;
 
 use crate::Data;
 use crate::error::ValidationError;
@@ -195,7 +195,7 @@ impl Staged {
             contact: impact.contact,
             law: law.into(),
             motions: impact.outcome.before,
-            unknown: Unknown::Speed1,
+            unknown: VehicleId::One,
             crush_energy,
             basis: EnergyBasis::Dissipated,
             tangential_share,

@@ -12,7 +12,6 @@ use inputs::{
 };
 use pim_core::VehicleId;
 use real::Real;
-use reconcile::Unknown;
 
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
@@ -403,8 +402,8 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
     }
     let find = match sought {
         [true, true] => Some(Find::Both),
-        [true, false] => Some(Find::One(Unknown::Speed1)),
-        [false, true] => Some(Find::One(Unknown::Speed2)),
+        [true, false] => Some(Find::One(VehicleId::One)),
+        [false, true] => Some(Find::One(VehicleId::Two)),
         [false, false] => None,
     };
     if let Some(find) = find {

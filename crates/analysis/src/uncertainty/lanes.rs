@@ -13,7 +13,7 @@ use ::uncertainty::{Instructions, LANES, Lanes, SUCCEEDED};
 use crash3::EnergyBasis;
 use inputs::{Axes, Basis, BrachTangential, Case, DamageForm, Find, ImpactLaw, Reconstruct, Restitution};
 use pim_core::{Law, Outcome, Tangential, VehicleId};
-use reconcile::{Problem, Unknown};
+use reconcile::Problem;
 
 use super::{Reason, as_beside};
 use crate::columns::{Collisions, Columns, Number, uncertain_places};
@@ -73,7 +73,7 @@ enum Condition {
 /// A speed that the crush energy gives.
 #[derive(Clone, Copy, Debug)]
 struct Sought {
-    unknown: Unknown,
+    unknown: VehicleId,
     basis: EnergyBasis,
     /// λ, where the crush takes a share of the tangential work.
     share: Option<Number>,
@@ -112,7 +112,7 @@ impl Block {
         if VehicleId::ALL.into_iter().any(|id| case.can_follow(id)) {
             return Err(Alone::Ways);
         }
-        let seeks = sought.map(|sought| sought.unknown.vehicle());
+        let seeks = sought.map(|sought| sought.unknown);
         let axes = case.axes;
         let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One));
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);

@@ -3,7 +3,6 @@
 
 use crash3::{EnergyMoments, Side};
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, VehicleId};
-use reconcile::Unknown;
 
 use super::{Demand, fill_opposite_pdof, table};
 use crate::axes::Axes;
@@ -71,11 +70,11 @@ impl<T: Real> Demand<'_, T> {
         );
     }
 
-    pub(super) fn unknown(&mut self) -> Option<Unknown> {
+    pub(super) fn unknown(&mut self) -> Option<VehicleId> {
         let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
         if let Some(reconstruct) = &self.case.reconstruct {
             let unknown = reconstruct.find.unknown();
-            if let Some(sought) = unknown.map(Unknown::vehicle)
+            if let Some(sought) = unknown
                 && is_open[sought.other().index()]
                 && !is_open[sought.index()]
             {

@@ -229,8 +229,7 @@ impl<T: Real> Demand<'_, T> {
     /// Which speeds are sought.
     fn sought(&mut self, fixed: Option<VehicleId>) -> Option<Sought<T>> {
         let find = self.case.reconstruct.as_ref()?.find;
-        let Some(unknown) = find.unknown() else { return Some(Sought::Both) };
-        let vehicle = unknown.vehicle();
+        let Some(vehicle) = find.unknown() else { return Some(Sought::Both) };
         if fixed.is_some() {
             return Some(Sought::IntoWall { vehicle });
         }

@@ -1,9 +1,9 @@
 use crash3::EnergyBasis;
-use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential};
+use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential, VehicleId};
 
 use super::{Changes, Meeting, Push, Signs};
 use crate::posed::Posed;
-use crate::problem::{Problem, Unknown};
+use crate::problem::Problem;
 use crate::root::Root;
 use crate::stretch::Stretch;
 
@@ -52,7 +52,7 @@ fn problem(draws: &mut Draws) -> Problem {
     // As many slow collisions as fast ones.
     let size = draws.between(0.1, 1.0);
     let crush_energy = 3e5 * size * size * size;
-    Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy, basis, tangential_share: 0.0 }
+    Problem { contact, law, motions, unknown: VehicleId::One, crush_energy, basis, tangential_share: 0.0 }
 }
 
 /// Signs isolate the same roots as the polynomials find piece by piece, in every stretch of random curves.

@@ -7,7 +7,7 @@ use crate::answer::{Reconciliation, SolutionMethod};
 use crate::error::ReconcileError;
 use crate::momentum::error::MomentumError;
 use crate::momentum::{Momentum, cross, dot};
-use crate::problem::{Problem, Unknown};
+use crate::problem::Problem;
 
 /// An axis may differ from a unit vector only by rounding.
 const UNIT: f64 = 1e-9;
@@ -117,7 +117,7 @@ impl<T: Real> MomentumAndCrush<T> {
             contact: Contact::new([turned, *two], momentum.contact.crush_plane())?,
             law,
             motions: [Motion::rest().with_yaw_rate(yaw_1), Motion { velocity: -fixed, yaw_rate: yaw_2 }],
-            unknown: Unknown::Speed1,
+            unknown: VehicleId::One,
             crush_energy,
             basis,
             tangential_share,

@@ -2,12 +2,12 @@
 
 use crash3::EnergyBasis;
 use pim_core::nalgebra::Matrix2;
-use pim_core::{ImpactError, InvalidInput, Law, Outcome, VaryingLaw, Vector2};
+use pim_core::{ImpactError, InvalidInput, Law, Outcome, VaryingLaw, Vector2, VehicleId};
 use real::elementary;
 
 use crate::momentum::error::MomentumError;
 use crate::momentum::{Momentum, dot};
-use crate::problem::{Problem, Unknown};
+use crate::problem::Problem;
 
 /// Maximum number of steps of the search: five are usual.
 const STEPS: usize = 60;
@@ -108,7 +108,7 @@ impl MomentumBesideCrush {
             }
         }
         let contact = momentum.contact;
-        let unknown = Unknown::Speed1;
+        let unknown = VehicleId::One;
         let problem = Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
         if !(crush_energy > 0.0 && crush_energy.is_finite()) {
             Err(MomentumError::NoCrushEnergy { energy: crush_energy })

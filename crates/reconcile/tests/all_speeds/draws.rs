@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use oracle::scenes::{Car, Scene, is_brach};
 use oracle::{approach, orientation};
-use pim_core::{RestitutionCurve, Tangential};
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use pim_core::{RestitutionCurve, Tangential, VehicleId};
+use reconcile::{EnergyBasis, Problem, ReconcileError};
 
 use crate::reconciliation::{posed, with_curve};
 
@@ -64,7 +64,7 @@ pub(crate) struct Sought {
     pub(crate) scene: Scene,
     /// (closing speed in m/s, e); empty if the restitution is the scene's.
     pub(crate) curve: Vec<(f64, f64)>,
-    pub(crate) unknown: Unknown,
+    pub(crate) unknown: VehicleId,
     pub(crate) basis: EnergyBasis,
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn sought(draws: &mut Draws) -> Sought {
             scene.cars[i] = Car { fixed: true, velocity: [0.0; 2], yaw_rate: 0.0, ..scene.cars[i] };
         }
         let moving = barrier.map_or_else(|| draws.below(2), |i| 1 - i);
-        let unknown = [Unknown::Speed1, Unknown::Speed2][moving];
+        let unknown = [VehicleId::One, VehicleId::Two][moving];
         let basis = [EnergyBasis::Dissipated, EnergyBasis::Absorbed][draws.below(2)];
         let curve = if draws.chance(0.5) { curve(draws) } else { Vec::new() };
         // The component along the normal of a speed of 1 m/s along the heading.

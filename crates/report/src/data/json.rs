@@ -12,7 +12,6 @@ use analysis::{
 };
 use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
 use pim_core::VehicleId;
-use reconcile::Unknown;
 use serde::Serialize;
 use serde_json::{Value, json};
 use trajectory::Sample;
@@ -438,7 +437,7 @@ fn one_found(seen: &Seen, found: &Found) -> FoundBlock {
 
 /// One speed, or a list of both: as `reconstruct.find` of the case.
 fn both_found(both: &BothFound) -> Result<Value, serde_json::Error> {
-    let of = |unknown: Unknown| {
+    let of = |unknown: VehicleId| {
         let value = plain(both.speeds[unknown.index()]);
         let (method, roots) = match &both.method {
             BothMethod::Momentum => ("momentum", vec![value]),
@@ -459,9 +458,8 @@ fn both_found(both: &BothFound) -> Result<Value, serde_json::Error> {
         }
     };
     match both.sought() {
-        Some(VehicleId::One) => serde_json::to_value(of(Unknown::Speed1)),
-        Some(VehicleId::Two) => serde_json::to_value(of(Unknown::Speed2)),
-        None => serde_json::to_value([of(Unknown::Speed1), of(Unknown::Speed2)]),
+        Some(vehicle) => serde_json::to_value(of(vehicle)),
+        None => serde_json::to_value(VehicleId::ALL.map(of)),
     }
 }
 

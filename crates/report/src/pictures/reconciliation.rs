@@ -22,7 +22,7 @@ pub(super) fn picture(
         None => DrawingError::NoReconciliation,
     })?;
     let curve = work_curve(&file.case, found, SAMPLES)?;
-    let vehicle = found.unknown.vehicle();
+    let vehicle = found.unknown;
     let axis = |what: &str, quantity: Measure| Axis {
         title: format!("{what} ({})", units.name(quantity)),
         unit: units.size(quantity),

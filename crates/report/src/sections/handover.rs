@@ -277,7 +277,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
     };
     let mut found = Vec::new();
     if let Some(answer) = &analysis.found {
-        let vehicle = answer.unknown.vehicle();
+        let vehicle = answer.unknown;
         let speed = said(rows::SPEED.of_vehicle(vehicle), answer.speed);
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
         found.extend(other_speeds(answer, units).map(|others| format!("{others}.")));
@@ -457,7 +457,7 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
              found {way}; {roots}. {basis}",
             energy_sources(analysis),
             basis::work(analysis.basis),
-            found.unknown.vehicle()
+            found.unknown
         ));
     } else if let Some(both) = &analysis.both {
         let seen = analysis.seen(axes);

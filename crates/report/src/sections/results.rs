@@ -121,7 +121,7 @@ impl Page<'_> {
     }
 
     fn found(&mut self, found: &Found, analysis: &Seen) {
-        let vehicle = found.unknown.vehicle();
+        let vehicle = found.unknown;
         let units = self.units;
         let energy = |si: f64| units.format(Measure::Energy, si);
         let work = match analysis.basis {

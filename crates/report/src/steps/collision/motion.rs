@@ -25,7 +25,7 @@ impl Collision<'_> {
         let both = self.analysis.both.as_ref().map(|both| both.speeds[k.index()]);
         let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[k.index()].motion) {
             _ if both.is_some() => both,
-            (Some(found), _) if found.unknown.vehicle() == k => Some(found.speed),
+            (Some(found), _) if found.unknown == k => Some(found.speed),
             (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
             _ => None,
         };

@@ -66,7 +66,7 @@ impl Collision<'_> {
     }
 
     fn solved(&self, found: &Found, formula: &str, substitution: String) -> Step {
-        let k = found.unknown.vehicle();
+        let k = found.unknown;
         step(
             format!("speed of vehicle {k}, found"),
             format!("s_{k}"),
@@ -174,7 +174,7 @@ impl Collision<'_> {
 
     /// du/ds along n and t.
     fn slopes(&self, found: &Found) -> [Step; 2] {
-        let (k, slope) = (found.unknown.vehicle(), found.line.slope);
+        let (k, slope) = (found.unknown, found.line.slope);
         // u is vehicle 1 relative to vehicle 2.
         let minus = if k == VehicleId::One { "" } else { "−" };
         let turn = format!("({} − {})", angle(heading(self.case, k)), angle(self.gamma));
@@ -199,7 +199,7 @@ impl Collision<'_> {
 
     /// u along n or t at the speed zero.
     fn at_rest(&self, found: &Found, axis: &str, symbol: &str, value: f64) -> Step {
-        let k = found.unknown.vehicle();
+        let k = found.unknown;
         let mut motions = self.impact.outcome.before;
         motions[k.index()].velocity = Vector2::new(0.0, 0.0);
         let (formula, numbers) = self.relative(axis, &motions);
