@@ -412,9 +412,9 @@ fn several_speeds() {
     assert_eq!(raised(analysis::reconstruct, &spinning(1.9), "several-speeds"), []);
 }
 
-/// A collision simulated by the raw equations, in which vehicle 2 had 3.138 867 093 155 m/s. Three speeds have
-/// its crush energy: |v_1 − v_2| is 13.6 m/s with that one, and 26 m/s and more with the others, one of which
-/// has a slower approach at the contact point.
+/// A collision simulated by the raw equations, in which vehicle 2 had 3.138 867 093 155 m/s. Three speeds
+/// have its crush energy: |v_1 − v_2| is 13.6 m/s with that one, and 26 m/s and more with the others, one of
+/// which has a slower approach at the contact point.
 #[test]
 fn of_several_speeds_the_one_with_the_least_relative_speed_leads() {
     let text = r#"
