@@ -2,7 +2,7 @@
 //! momentum after impact.
 //!
 //! ```
-//! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
+//! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential, VehicleId};
 //! use reconcile::{EnergyBasis, Problem};
 //!
 //! // SAE 980025, appendix: how fast was the GMC Jimmy, if both vehicles' crush took 1.41e5 N·m?
