@@ -159,8 +159,8 @@ impl<'a> Page<'a> {
                     self.units.format(Measure::RoadSpeed, limit)
                 ),
                 Doubt::SeveralSpeeds => {
-                    "have several speeds that agree with the crush energy; the one on the side of the central \
-                     answer counts"
+                    "have several speeds that agree with the crush energy; as for the central values, the slowest \
+                     approach counts, or the speed nearest to the one chosen there"
                         .to_owned()
                 }
                 Doubt::HighRestitution => format!(
