@@ -9,6 +9,7 @@ use inputs::{
 use pim_core::VehicleId;
 
 use crate::aside;
+use crate::avoid::avoid_at_once;
 use crate::estimate::estimate_evidence;
 use crate::failure::Failure;
 use crate::goal::Goal;
@@ -355,7 +356,11 @@ pub fn judge(case: &Case) -> Judgement {
         abilities.push(Ability {
             purpose,
             on: purpose,
-            obstacle: case.avoidance().err(),
+            // Numbers that contradict each other are no scene, either.
+            obstacle: match avoid_at_once(case) {
+                Err(Failure::Case(faults)) => Some(faults),
+                _ => None,
+            },
             left_aside: Vec::new(),
         });
     }

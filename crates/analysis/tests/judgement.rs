@@ -115,6 +115,27 @@ fn a_case_runs_what_it_has_all_for() {
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
 }
 
+/// By hand: a skid of 20 m at 5 m/s² that ends with 10 m/s takes (√300 − 10)/5 = 1.46 s, and so began before a
+/// demand 1 s before the impact, and not before one at 2 s.
+#[test]
+fn a_demand_after_the_braking_is_told_without_solving() {
+    let text = |demand: f64| {
+        format!(
+            "[vehicle1]\nspeed = \"10 m/s\"\nbefore.skid = {{ length = \"20 m\", friction = {} }}\n[avoid]\nlimit = \"50 km/h\"\n\
+             reaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ time = \"{demand} s\" }}\n",
+            5.0 / 9.806_65
+        )
+    };
+    let obstacle = |demand: f64| {
+        let judgement = judge(&parsed(&text(demand)));
+        let of_avoid = judgement.abilities.into_iter().find(|ability| ability.purpose == Purpose::Avoid);
+        of_avoid.unwrap().obstacle
+    };
+    assert_eq!(obstacle(2.0), None);
+    let faults = obstacle(1.0).unwrap();
+    assert_eq!(faults.list()[0].key, "avoid.demand.time");
+}
+
 /// The ranges of [avoid] count for that question alone.
 #[test]
 fn ranges_of_avoid_are_not_those_of_the_impact() {
