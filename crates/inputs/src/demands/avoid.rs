@@ -12,8 +12,8 @@ use trajectory::GREATEST_FRICTION;
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OffLine,
-    OtherForm, OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, GivenDemand, GivenWayOut, OffLine,
+    OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -134,16 +134,7 @@ impl<T: Copy + From<f64>> Case<T> {
         let vehicle = self.avoid_subject();
         let [own, _] = &basis.recorded;
         let braking = if avoid.unbraked { BrakingForm::Unbraked } else { self.braking_form(vehicle, own)? };
-        let demand = match avoid.demand.as_ref()? {
-            GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
-            GivenDemand::Time(time) => DemandForm::Time(time.quantity),
-            GivenDemand::Other(other) => DemandForm::Other(OtherForm {
-                distance: other.distance.quantity,
-                speed: of(&other.speed),
-                acceleration: of(&other.acceleration),
-            }),
-            GivenDemand::Sight => DemandForm::Sight,
-        };
+        let demand = avoid.demand.as_ref()?.map(|_, given| given.quantity);
         let has_obstacle = !avoid.obstacles.is_empty();
         let sight = if has_obstacle { Some(self.sight_form(avoid, basis)?) } else { None };
         let clear = match &avoid.clear {
