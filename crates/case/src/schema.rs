@@ -183,6 +183,23 @@ impl Form {
         }
     }
 
+    /// The ranges that may stand in place of its numbers, or of each of them; none if they have to be exact.
+    #[must_use]
+    pub fn ranges(self) -> &'static [&'static Schema] {
+        match self {
+            Self::Number(_)
+            | Self::Numbers(_)
+            | Self::NumberOrTable(..)
+            | Self::Quantity(..)
+            | Self::QuantityOrTables(..)
+            | Self::Wheels(..)
+            | Self::AngleOrHour => const { &[&RANGE] },
+            Self::Sourced(..) => const { &[&SOURCED_RANGE] },
+            Self::Quantities(..) => const { &[&RANGE_OF_LIST, &RANGE] },
+            _ => &[],
+        }
+    }
+
     /// The table that it may be, or the tables of which it may be a list, ranges apart.
     #[must_use]
     pub fn table(self) -> Option<&'static Schema> {
@@ -2215,34 +2232,7 @@ pub fn keys() -> Vec<String> {
 /// ```
 #[must_use]
 pub fn number_keys() -> Vec<String> {
-    walked(|form| match form {
-        Form::Number(_)
-        | Form::Numbers(_)
-        | Form::Quantity(..)
-        | Form::Sourced(..)
-        | Form::Quantities(..)
-        | Form::QuantityOrTables(..)
-        | Form::Wheels(..)
-        | Form::AngleOrHour
-        | Form::NumberOrTable(..) => true,
-        Form::Text
-        | Form::Flag
-        | Form::Words(_)
-        | Form::WordOrAll(_)
-        | Form::Law(_)
-        | Form::Count(_)
-        | Form::Keys(_)
-        | Form::Exact(..)
-        | Form::Vehicle
-        | Form::Table(_)
-        | Form::Tables(..)
-        | Form::WordsOrTable(..)
-        | Form::Value
-        | Form::Values
-        | Form::Deviation
-        | Form::Percent(_)
-        | Form::Probability => false,
-    })
+    walked(|form| !form.ranges().is_empty())
 }
 
 /// The paths of the keys whose form is wanted.
