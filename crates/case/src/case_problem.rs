@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
@@ -154,15 +153,6 @@ pub enum CaseProblem {
     /// Closing speeds out of order.
     #[error("{path} is {value}, but must be greater than the {before} before it")]
     NotAscending { path: String, value: Quantity, before: Quantity },
-    /// Widths and depths that do not match.
-    #[error("\"{path}\" has {spacings} widths for {stations} depths, but {} are needed", stations - 1)]
-    SpacingCount { path: String, spacings: usize, stations: usize },
-    /// A width that is not the sum of the spacing.
-    #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
-    WidthMismatch { path: String, width: Quantity, sum: String },
-    /// The number of zones does not match the depths.
-    #[error("\"{path}\" has {} for {stations} depths, but {} are needed", counted(*zones, "zone"), stations - 1)]
-    ZoneCount { path: String, zones: usize, stations: usize },
     /// Not an hour.
     #[error("\"{path}\" is \"{text}\", but a clock hour must be a whole number from 1 to 12")]
     NotAnHour { path: String, text: String },
@@ -175,17 +165,6 @@ pub enum CaseProblem {
     /// A key that the energy equivalent speed replaces.
     #[error("{table} gives \"ees\", so it cannot give \"{key}\"")]
     EesHas { table: String, key: &'static str },
-    /// A limit of the force per width that is below A; `start` gives A and its value.
-    #[error("{path} is {limit}, but must be at least {start}, where crush begins")]
-    LimitBelowStart { path: String, limit: Quantity, start: String },
-    /// A no-damage speed that is not below the test speed.
-    #[error(
-        "{path} is {value}, but must be less than the test speed of {speed}, because the test left crush"
-    )]
-    NoDamageSpeed { path: String, value: Quantity, speed: Quantity },
-    /// A stiffness that the engine refuses.
-    #[error("{error}")]
-    Stiffness { error: CrushError, remedy: &'static str },
     /// Keys that do not make up a range.
     #[error("{path} gives {}", not_valid(given, "range"))]
     NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
@@ -227,12 +206,6 @@ impl CaseProblem {
                 | Self::TooFewStations { .. }
                 | Self::NoPoints { .. }
                 | Self::ValueCount { .. }
-                | Self::SpacingCount { .. }
-                | Self::WidthMismatch { .. }
-                | Self::ZoneCount { .. }
-                | Self::LimitBelowStart { .. }
-                | Self::NoDamageSpeed { .. }
-                | Self::Stiffness { .. }
                 | Self::NoRangeForm { .. }
                 | Self::Fault { .. }
         )
@@ -398,15 +371,6 @@ impl CaseProblem {
             Self::NotAscending { .. } => {
                 "list the points by ascending closing speed, each speed once, and the values in the same order".to_owned()
             }
-            Self::SpacingCount { .. } => {
-                "give the widths between neighbouring stations, one fewer than there are depths; leave spacing out if the stations \
-                 are equally spaced"
-                    .to_owned()
-            }
-            Self::ZoneCount { .. } => {
-                "each zone lies between two neighbouring stations, so give one fewer than there are depths, in the same order"
-                    .to_owned()
-            }
             Self::NotAnHour { .. } => {
                 "write a whole hour, as in pdof = \"2 o'clock\", or an angle; 12 o'clock is from straight ahead, 3 o'clock from the right"
                     .to_owned()
@@ -421,16 +385,6 @@ impl CaseProblem {
             }
             Self::EesHas { key, .. } => {
                 format!("remove {key}, or remove ees if the energy is to follow from the crush depths")
-            }
-            Self::LimitBelowStart { .. } => {
-                "raise the limit, or leave it out if none is known".to_owned()
-            }
-            Self::NoDamageSpeed { .. } => {
-                "give the highest speed that leaves no crush, which is below the test speed".to_owned()
-            }
-            Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
-            Self::WidthMismatch { .. } => {
-                "make the two agree to within 0.1 %, or leave the width out".to_owned()
             }
             Self::NoRangeForm { forms, .. } => format!("write {forms}"),
             Self::NoRange { path, example } => format!("write, for example, {}", suited(path, example)),
@@ -503,7 +457,7 @@ fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
     }
 }
 
-fn counted(count: usize, noun: &str) -> String {
+pub(crate) fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 

@@ -1,6 +1,6 @@
 //! The keys of a case and their contents, for programs that present them in another form than text.
 
-use crate::schema::{Form, KeyInfo, RANGE, RANGE_OF_LIST, SOURCED_RANGE, Schema, TOP};
+use crate::schema::{KeyInfo, RANGE, RANGE_OF_LIST, SOURCED_RANGE, Schema, TOP};
 
 /// The keys of a case, tables within tables.
 ///
@@ -60,24 +60,7 @@ pub(crate) fn way(key: &str) -> Option<Vec<Way>> {
             let element = number.checked_sub(1)?;
             way.push(Way { name: None, element, rank: element, has_header: false });
         }
-        tables = below(key.form);
+        tables = key.form.ranges().iter().copied().chain(key.form.table()).collect();
     }
     Some(way)
-}
-
-/// The tables whose keys may be below a key.
-fn below(form: Form) -> Vec<&'static Schema> {
-    let ranges: &[&'static Schema] = match form {
-        Form::Number(_)
-        | Form::Numbers(_)
-        | Form::Quantity(..)
-        | Form::Wheels(..)
-        | Form::AngleOrHour
-        | Form::QuantityOrTables(..)
-        | Form::NumberOrTable(..) => &[&RANGE],
-        Form::Sourced(..) => &[&SOURCED_RANGE],
-        Form::Quantities(..) => &[&RANGE_OF_LIST, &RANGE],
-        _ => &[],
-    };
-    ranges.iter().copied().chain(form.table()).collect()
 }

@@ -321,11 +321,7 @@ impl<'t> Reader<'t> {
             return Some(Find::Both);
         }
         let message = format!("\"{}\" is a list, but not of both speeds", table.path_of("find"));
-        self.report(
-            value.span(),
-            CaseProblem::Fault { message, help: Some(format!("write find = {FORMS}")) },
-        );
-        None
+        self.refuse(&table.path_of("find"), message, &format!("write find = {FORMS}"))
     }
 }
 

@@ -183,6 +183,23 @@ impl Form {
         }
     }
 
+    /// The ranges that may stand in place of its numbers, or of each of them; none if they have to be exact.
+    #[must_use]
+    pub fn ranges(self) -> &'static [&'static Schema] {
+        match self {
+            Self::Number(_)
+            | Self::Numbers(_)
+            | Self::NumberOrTable(..)
+            | Self::Quantity(..)
+            | Self::QuantityOrTables(..)
+            | Self::Wheels(..)
+            | Self::AngleOrHour => const { &[&RANGE] },
+            Self::Sourced(..) => const { &[&SOURCED_RANGE] },
+            Self::Quantities(..) => const { &[&RANGE_OF_LIST, &RANGE] },
+            _ => &[],
+        }
+    }
+
     /// The table that it may be, or the tables of which it may be a list, ranges apart.
     #[must_use]
     pub fn table(self) -> Option<&'static Schema> {
@@ -253,6 +270,28 @@ pub(crate) struct FormOfTable {
 
 const fn form(needs: &'static [&'static str], may: &'static [&'static str]) -> FormOfTable {
     FormOfTable { needs, may }
+}
+
+/// Both lists of keys, `N` in all.
+const fn joined<const N: usize>(first: &[KeyInfo], second: &[KeyInfo]) -> [KeyInfo; N] {
+    assert!(first.len() + second.len() == N);
+    let mut keys = [first[0]; N];
+    let mut i = 0;
+    while i < N {
+        keys[i] = if i < first.len() { first[i] } else { second[i - first.len()] };
+        i += 1;
+    }
+    keys
+}
+
+const fn names_of<const N: usize>(keys: &[KeyInfo; N]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut i = 0;
+    while i < N {
+        names[i] = keys[i].name;
+        i += 1;
+    }
+    names
 }
 
 /// The table of a point.
@@ -723,33 +762,25 @@ const STORED: [KeyInfo; 11] = [
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
     text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what this gives on its own, `deltav estimate` compares it with the impact, and `deltav avoid` follows it; the other commands warn where it contradicts their answer.",
-    keys: &[
-        STORED[0],
-        STORED[1],
-        STORED[2],
-        STORED[3],
-        STORED[4],
-        STORED[5],
-        STORED[6],
-        STORED[7],
-        STORED[8],
-        STORED[9],
-        STORED[10],
-        key(
-            "records",
-            "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
-            Form::Tables(&RECORD, 1),
-            "Several records. In the order of time, in place of the keys of a single one: `deltav recorder` says which belongs to the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
-        ),
-        key(
-            "other_impacts",
-            "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
-            Form::Tables(&OTHER_IMPACT, 0),
-            "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says for each record which impact it may belong to.",
-        ),
-        table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
-        table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
-    ],
+    keys: &joined::<15>(
+        &STORED,
+        &[
+            key(
+                "records",
+                "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
+                Form::Tables(&RECORD, 1),
+                "Several records. In the order of time, in place of the keys of a single one: `deltav recorder` says which belongs to the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
+            ),
+            key(
+                "other_impacts",
+                "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
+                Form::Tables(&OTHER_IMPACT, 0),
+                "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says for each record which impact it may belong to.",
+            ),
+            table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
+            table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
+        ],
+    ),
     rules: &[
         Rule::NeverIf(Has("records"), &KEYS_OF_RECORD),
         Rule::NeverIf(Has("pre_crash"), &["speed"]),
@@ -761,19 +792,7 @@ pub(crate) static RECORDER: Schema = Schema {
 };
 
 /// The keys of a single record, which cannot be combined with a list of several.
-pub(crate) static KEYS_OF_RECORD: [&str; 11] = [
-    "delta_v_longitudinal",
-    "delta_v_lateral",
-    "delta_v_error",
-    "direction_error",
-    "speed",
-    "speed_error",
-    "yaw_rate",
-    "yaw_rate_error",
-    "pre_crash",
-    "pulse",
-    "incomplete",
-];
+pub(crate) static KEYS_OF_RECORD: [&str; 11] = names_of(&STORED);
 
 pub(crate) static OTHER_IMPACT: Schema = Schema {
     place: "[[vehicle1.recorder.other_impacts]] or [[vehicle2.recorder.other_impacts]]",
@@ -804,25 +823,15 @@ pub(crate) static OTHER_IMPACT: Schema = Schema {
 pub(crate) static RECORD: Schema = Schema {
     place: "[[vehicle1.recorder.records]] or [[vehicle2.recorder.records]]",
     text: "One of several records of a recorder. It has the keys of a single record; `at` and `errors` are those of the recorder.",
-    keys: &[
-        key(
+    keys: &joined::<12>(
+        &[key(
             "since_previous",
             "since_previous = \"0.8 s\"",
             Form::Exact(Dimension::Time, NOT_NEGATIVE),
             "Time since the previous record. As the recorder stored it, from one trigger to the next.",
-        ),
-        STORED[0],
-        STORED[1],
-        STORED[2],
-        STORED[3],
-        STORED[4],
-        STORED[5],
-        STORED[6],
-        STORED[7],
-        STORED[8],
-        STORED[9],
-        STORED[10],
-    ],
+        )],
+        &STORED,
+    ),
     rules: &[
         Rule::NotEmpty,
         Rule::NeverIf(Has("pre_crash"), &["speed"]),
@@ -2084,11 +2093,14 @@ const RANGE_CONFIDENCE: KeyInfo = key(
     "Probability that the number lies within that deviation. More than 0 and less than 1.",
 );
 
+const RANGE_KEYS: [KeyInfo; 7] =
+    [RANGE_VALUE, RANGE_SD, RANGE_LOW, RANGE_MODE, RANGE_HIGH, RANGE_WITHIN, RANGE_CONFIDENCE];
+
 /// The range of one quantity.
 pub(crate) static RANGE: Schema = Schema {
     place: "a range",
     text: "A number that is not known exactly.",
-    keys: &[RANGE_VALUE, RANGE_SD, RANGE_LOW, RANGE_MODE, RANGE_HIGH, RANGE_WITHIN, RANGE_CONFIDENCE],
+    keys: &RANGE_KEYS,
     rules: &[Rule::OneOf(&[
         form(&["value", "sd"], &[]),
         form(&["value", "within", "confidence"], &[]),
@@ -2100,21 +2112,15 @@ pub(crate) static RANGE: Schema = Schema {
 pub(crate) static SOURCED_RANGE: Schema = Schema {
     place: "a range with its source",
     text: "A number, or one that is not known exactly, with its source.",
-    keys: &[
-        RANGE_VALUE,
-        RANGE_SD,
-        RANGE_LOW,
-        RANGE_MODE,
-        RANGE_HIGH,
-        RANGE_WITHIN,
-        RANGE_CONFIDENCE,
-        key(
+    keys: &joined::<8>(
+        &RANGE_KEYS,
+        &[key(
             "source",
             "source = \"Dettinger 2008\"",
             Form::Text,
             "Where the number comes from. The report shows it.",
-        ),
-    ],
+        )],
+    ),
     rules: &[Rule::OneOf(&[
         form(&["value", "source"], &[]),
         form(&["value", "sd"], &["source"]),
@@ -2135,18 +2141,8 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
             Form::Deviation,
             "Standard deviation. With `values`, it makes normal distributions.",
         ),
-        key(
-            "within",
-            "within = \"10 %\"",
-            Form::Percent(POSITIVE),
-            "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
-        ),
-        key(
-            "confidence",
-            "confidence = 0.95",
-            Form::Probability,
-            "Probability that the number lies within that deviation. More than 0 and less than 1.",
-        ),
+        RANGE_WITHIN,
+        RANGE_CONFIDENCE,
     ],
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
@@ -2215,34 +2211,7 @@ pub fn keys() -> Vec<String> {
 /// ```
 #[must_use]
 pub fn number_keys() -> Vec<String> {
-    walked(|form| match form {
-        Form::Number(_)
-        | Form::Numbers(_)
-        | Form::Quantity(..)
-        | Form::Sourced(..)
-        | Form::Quantities(..)
-        | Form::QuantityOrTables(..)
-        | Form::Wheels(..)
-        | Form::AngleOrHour
-        | Form::NumberOrTable(..) => true,
-        Form::Text
-        | Form::Flag
-        | Form::Words(_)
-        | Form::WordOrAll(_)
-        | Form::Law(_)
-        | Form::Count(_)
-        | Form::Keys(_)
-        | Form::Exact(..)
-        | Form::Vehicle
-        | Form::Table(_)
-        | Form::Tables(..)
-        | Form::WordsOrTable(..)
-        | Form::Value
-        | Form::Values
-        | Form::Deviation
-        | Form::Percent(_)
-        | Form::Probability => false,
-    })
+    walked(|form| !form.ranges().is_empty())
 }
 
 /// The paths of the keys whose form is wanted.

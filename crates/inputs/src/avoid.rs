@@ -105,28 +105,53 @@ pub struct Sourced<T = f64> {
     pub source: Option<Text>,
 }
 
-/// Where or when the danger could first be recognized.
-#[derive(Clone, Debug, PartialEq)]
-pub enum GivenDemand<T = f64> {
+/// Where or when the danger could first be recognized, by numbers of the type `N`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ReactionDemand<N> {
     /// (m) distance of the vehicle before the impact.
-    Distance(Sourced<T>),
+    Distance(N),
     /// (s) time before the impact.
-    Time(Sourced<T>),
+    Time(N),
     /// The time that the other party took to the impact.
-    Other(OtherApproach<T>),
+    Other(Approach<N>),
     /// Since when no obstacle has hidden the other party.
     Sight,
 }
 
 /// How the other party came to the impact: at constant speed, or from a stop.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OtherApproach<T = f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach<N> {
     /// (m) its distance to the place of the impact.
-    pub distance: Sourced<T>,
+    pub distance: N,
     /// (m/s) its speed; with an acceleration, the speed that it then kept.
-    pub speed: Option<Sourced<T>>,
+    pub speed: Option<N>,
     /// (m/s²) its acceleration from a stop.
-    pub acceleration: Option<Sourced<T>>,
+    pub acceleration: Option<N>,
+}
+
+/// A [`ReactionDemand`] as given.
+pub type GivenDemand<T = f64> = ReactionDemand<Sourced<T>>;
+/// A [`ReactionDemand`] without the sources of its numbers.
+pub type DemandForm<T = f64> = ReactionDemand<Quantity<T>>;
+/// An [`Approach`] as given.
+pub type OtherApproach<T = f64> = Approach<Sourced<T>>;
+/// An [`Approach`] without the sources of its numbers.
+pub type OtherForm<T = f64> = Approach<Quantity<T>>;
+
+impl<N> ReactionDemand<N> {
+    /// The same with other numbers, which come with their keys.
+    pub(crate) fn map<M>(&self, mut of: impl FnMut(&'static str, &N) -> M) -> ReactionDemand<M> {
+        match self {
+            Self::Distance(distance) => ReactionDemand::Distance(of("distance", distance)),
+            Self::Time(time) => ReactionDemand::Time(of("time", time)),
+            Self::Other(Approach { distance, speed, acceleration }) => ReactionDemand::Other(Approach {
+                distance: of("other.distance", distance),
+                speed: speed.as_ref().map(|speed| of("other.speed", speed)),
+                acceleration: acceleration.as_ref().map(|number| of("other.acceleration", number)),
+            }),
+            Self::Sight => ReactionDemand::Sight,
+        }
+    }
 }
 
 /// The way of the other party out of the danger zone.
@@ -326,30 +351,6 @@ pub enum SpeedForm<T = f64> {
     Sought,
 }
 
-/// Where or when the danger could first be recognized.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DemandForm<T = f64> {
-    /// (m) distance of the vehicle before the impact.
-    Distance(Quantity<T>),
-    /// (s) time before the impact.
-    Time(Quantity<T>),
-    /// By how the other party came.
-    Other(OtherForm<T>),
-    /// Since when no obstacle has hidden the other party.
-    Sight,
-}
-
-/// How the other party came to the impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OtherForm<T = f64> {
-    /// (m) its distance to the place of the impact.
-    pub distance: Quantity<T>,
-    /// (m/s) its speed; with an acceleration, the speed that it then kept.
-    pub speed: Option<Quantity<T>>,
-    /// (m/s²) its acceleration from a stop.
-    pub acceleration: Option<Quantity<T>>,
-}
-
 impl OtherForm {
     /// How it covers its path.
     #[must_use]
@@ -435,16 +436,7 @@ impl<T: Copy> AvoidForm<T> {
             swell: self.swell.map(&mut of),
             swell_form: self.swell_form,
             deceleration: of(self.deceleration),
-            demand: match self.demand {
-                DemandForm::Distance(distance) => DemandForm::Distance(of(distance)),
-                DemandForm::Time(time) => DemandForm::Time(of(time)),
-                DemandForm::Other(other) => DemandForm::Other(OtherForm {
-                    distance: of(other.distance),
-                    speed: other.speed.map(&mut of),
-                    acceleration: other.acceleration.map(&mut of),
-                }),
-                DemandForm::Sight => DemandForm::Sight,
-            },
+            demand: self.demand.map(|_, number| of(*number)),
             clear: self.clear.as_ref().map(|clear| clear.map(&mut of)),
             sight: self.sight.as_ref().map(|sight| {
                 let mut of = |quantity: Quantity<T>| quantity.map(&mut number);
@@ -551,24 +543,8 @@ impl<U> Walk<'_, U> {
     }
 
     fn demand(&mut self, path: &dyn Display, demand: &GivenDemand) -> GivenDemand<U> {
-        match demand {
-            GivenDemand::Distance(distance) => {
-                GivenDemand::Distance(self.sourced(&Key(path, "distance"), distance))
-            }
-            GivenDemand::Time(time) => GivenDemand::Time(self.sourced(&Key(path, "time"), time)),
-            GivenDemand::Other(OtherApproach { distance, speed, acceleration }) => {
-                let other = Key(path, "other");
-                GivenDemand::Other(OtherApproach {
-                    distance: self.sourced(&Key(&other, "distance"), distance),
-                    speed: self.sourced_if(&Key(&other, "speed"), speed.as_ref()),
-                    acceleration: self.sourced_if(&Key(&other, "acceleration"), acceleration.as_ref()),
-                })
-            }
-            GivenDemand::Sight => {
-                self.flag(&Key(path, "sight"), true);
-                GivenDemand::Sight
-            }
-        }
+        self.flag(&Key(path, "sight"), matches!(demand, GivenDemand::Sight));
+        demand.map(|key, given| self.sourced(&Key(path, key), given))
     }
 
     fn sourced_if(&mut self, path: &dyn Display, sourced: Option<&Sourced>) -> Option<Sourced<U>> {

@@ -215,18 +215,27 @@ impl<T: Copy> StiffnessLine<T> {
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessLine<U> {
+        self.map_quantities(|_, quantity| quantity.map(&mut number))
+    }
+
+    /// The same with other quantities, which come with their keys.
+    #[inline(always)]
+    fn map_quantities<U>(
+        self,
+        mut of: impl FnMut(&'static str, Quantity<T>) -> Quantity<U>,
+    ) -> StiffnessLine<U> {
         match self {
             Self::Crush { a, b, g, limit } => StiffnessLine::Crush {
-                a: a.map(&mut number),
-                b: b.map(&mut number),
-                g: g.map(|g| g.map(&mut number)),
-                limit: limit.map(|limit| limit.map(number)),
+                a: of("A", a),
+                b: of("B", b),
+                g: g.map(|g| of("G", g)),
+                limit: limit.map(|limit| of("limit", limit)),
             },
             Self::Root { d0, d1, g, limit } => StiffnessLine::Root {
-                d0: d0.map(&mut number),
-                d1: d1.map(&mut number),
-                g: g.map(|g| g.map(&mut number)),
-                limit: limit.map(|limit| limit.map(number)),
+                d0: of("d0", d0),
+                d1: of("d1", d1),
+                g: g.map(|g| of("G", g)),
+                limit: limit.map(|limit| of("limit", limit)),
             },
         }
     }
@@ -386,20 +395,6 @@ impl<U> Walk<'_, U> {
     }
 
     fn line(&mut self, table: &dyn Display, line: &StiffnessLine) -> StiffnessLine<U> {
-        let at = |key| Key(table, key);
-        match line {
-            StiffnessLine::Crush { a, b, g, limit } => StiffnessLine::Crush {
-                a: self.quantity(&at("A"), a),
-                b: self.quantity(&at("B"), b),
-                g: self.maybe(&at("G"), g.as_ref()),
-                limit: self.maybe(&at("limit"), limit.as_ref()),
-            },
-            StiffnessLine::Root { d0, d1, g, limit } => StiffnessLine::Root {
-                d0: self.quantity(&at("d0"), d0),
-                d1: self.quantity(&at("d1"), d1),
-                g: self.maybe(&at("G"), g.as_ref()),
-                limit: self.maybe(&at("limit"), limit.as_ref()),
-            },
-        }
+        line.map_quantities(|key, quantity| self.quantity(&Key(table, key), &quantity))
     }
 }

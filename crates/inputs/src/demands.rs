@@ -198,6 +198,10 @@ impl<'a, T: Real> Demand<'a, T> {
         });
     }
 
+    fn refuse(&mut self, key: impl Display, reason: impl Display, advice: impl Display) {
+        self.faults.push(Fault::refused(key, reason, advice));
+    }
+
     fn given<V: Copy>(&mut self, value: Option<V>, key: impl Display, example: impl Display) -> Option<V> {
         if value.is_none() {
             self.missing(key, &example.to_string());

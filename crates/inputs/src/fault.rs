@@ -1,7 +1,7 @@
 //! The faults of a case, by key.
 
 use std::error::Error;
-use std::fmt;
+use std::fmt::{self, Display};
 
 use crate::purpose::Purpose;
 
@@ -38,6 +38,11 @@ pub enum FaultKind {
 }
 
 impl Fault {
+    pub(crate) fn refused(key: impl Display, reason: impl Display, advice: impl Display) -> Self {
+        let kind = FaultKind::Refused { reason: reason.to_string() };
+        Self { key: key.to_string(), kind, advice: Some(advice.to_string()) }
+    }
+
     /// Whether a reconstruction or an impact lacks a speed that it takes as known.
     #[must_use]
     pub fn lacks_speed(&self) -> bool {
@@ -80,7 +85,7 @@ impl Fault {
     }
 }
 
-impl fmt::Display for Fault {
+impl Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message = self.message(|purpose| format!("`{purpose}`"));
         match &self.kind {
@@ -130,7 +135,7 @@ impl From<Fault> for Faults {
     }
 }
 
-impl fmt::Display for Faults {
+impl Display for Faults {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, fault) in self.list.iter().enumerate() {
             if index > 0 {

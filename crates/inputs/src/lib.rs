@@ -79,9 +79,9 @@ pub use after::{
     Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 pub use avoid::{
-    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
+    Along, Approach, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
     GivenWayOut, Obstacle, OffLine, OtherApproach, OtherForm, OtherMotionForm, OtherParty, PathForm,
-    PlaceForm, SUBJECTS, SWELLS, SameLineForm, SightForm, Sourced, SpeedForm,
+    PlaceForm, ReactionDemand, SUBJECTS, SWELLS, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

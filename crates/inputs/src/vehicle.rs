@@ -204,16 +204,20 @@ impl<T: Copy> ContactPoint<T> {
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> ContactPoint<U> {
-        self.map_quantities(|quantity| quantity.map(&mut number))
+        self.map_quantities(|_, quantity| quantity.map(&mut number))
     }
 
+    /// The same with other quantities, which come with their keys.
     #[inline(always)]
-    pub(crate) fn map_quantities<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> ContactPoint<U> {
+    pub(crate) fn map_quantities<U>(
+        self,
+        mut of: impl FnMut(&'static str, Quantity<T>) -> Quantity<U>,
+    ) -> ContactPoint<U> {
         match self {
             Self::Polar { distance, angle } => {
-                ContactPoint::Polar { distance: of(distance), angle: of(angle) }
+                ContactPoint::Polar { distance: of("distance", distance), angle: of("angle", angle) }
             }
-            Self::Cartesian { x, y } => ContactPoint::Cartesian { x: of(x), y: of(y) },
+            Self::Cartesian { x, y } => ContactPoint::Cartesian { x: of("x", x), y: of("y", y) },
         }
     }
 }
@@ -262,9 +266,14 @@ impl<T: Copy> Velocity<T> {
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Velocity<U> {
+        self.map_quantities(|_, quantity| quantity.map(&mut number))
+    }
+
+    #[inline(always)]
+    fn map_quantities<U>(self, mut of: impl FnMut(&'static str, Quantity<T>) -> Quantity<U>) -> Velocity<U> {
         match self {
-            Self::Speed(speed) => Velocity::Speed(speed.map(number)),
-            Self::Vector { x, y } => Velocity::Vector { x: x.map(&mut number), y: y.map(number) },
+            Self::Speed(speed) => Velocity::Speed(of("speed", speed)),
+            Self::Vector { x, y } => Velocity::Vector { x: of("velocity.x", x), y: of("velocity.y", y) },
         }
     }
 }
@@ -365,23 +374,10 @@ impl<U> Walk<'_, U> {
             heading: self.maybe(&at("heading"), vehicle.heading.as_ref()),
             sideslip: self.maybe(&at("sideslip"), vehicle.sideslip.as_ref()),
             position: vehicle.position.as_ref().map(|place| self.place(&at("position"), place)),
-            contact: vehicle.contact.as_ref().map(|contact| match contact {
-                ContactPoint::Polar { distance, angle } => ContactPoint::Polar {
-                    distance: self.quantity(&at("contact.distance"), distance),
-                    angle: self.quantity(&at("contact.angle"), angle),
-                },
-                ContactPoint::Cartesian { x, y } => ContactPoint::Cartesian {
-                    x: self.quantity(&at("contact.x"), x),
-                    y: self.quantity(&at("contact.y"), y),
-                },
-            }),
-            motion: vehicle.motion.as_ref().map(|motion| match motion {
-                Velocity::Speed(q) => Velocity::Speed(self.quantity(&at("speed"), q)),
-                Velocity::Vector { x, y } => Velocity::Vector {
-                    x: self.quantity(&at("velocity.x"), x),
-                    y: self.quantity(&at("velocity.y"), y),
-                },
-            }),
+            contact: vehicle
+                .contact
+                .map(|contact| contact.map_quantities(|key, q| self.quantity(&Key(&at("contact"), key), &q))),
+            motion: vehicle.motion.map(|motion| motion.map_quantities(|key, q| self.quantity(&at(key), &q))),
             yaw_rate: self.maybe(&at("yaw_rate"), vehicle.yaw_rate.as_ref()),
             outline: vehicle.outline.as_ref().map(|outline| Outline {
                 length: self.quantity(&at("length"), &outline.length),

@@ -70,9 +70,9 @@ impl<T: Copy> ClearForm<T> {
                     headings: headings.map(&mut of),
                     bodies: bodies.map(|body| body.map_quantities(&mut of)),
                     places: match places {
-                        PlacesForm::Contacts(points) => {
-                            PlacesForm::Contacts(points.map(|point| point.map_quantities(&mut of)))
-                        }
+                        PlacesForm::Contacts(points) => PlacesForm::Contacts(
+                            points.map(|point| point.map_quantities(|_, quantity| of(quantity))),
+                        ),
                         PlacesForm::Positions(places) => {
                             PlacesForm::Positions(places.map(|place| place.map_quantities(&mut of)))
                         }

@@ -54,16 +54,15 @@ fn group(key: &KeyInfo, above: &str) -> Value {
 
 fn field(table: &Schema, key: &KeyInfo, above: &str) -> Value {
     let path = path(above, key.name);
-    let (kind, range) = kind(key.form);
     let [title, help] = title_and_help(key.text());
     let mut field = Map::new();
     let mut put = |name: &str, value: Value| field.insert(name.to_owned(), value);
     put("key", json!(path));
-    put("kind", json!(kind));
+    put("kind", json!(kind(key.form)));
     put("title", json!(title));
     put("help", json!(help));
     put("required", json!(table.requires(key.name)));
-    put("range", json!(range));
+    put("range", json!(!key.form.ranges().is_empty()));
     let units = key.form.dimension().map(Dimension::units).unwrap_or_default();
     put("units", units.iter().map(Unit::spelling).collect());
     put("choices", json!(key.form.words()));
@@ -71,25 +70,23 @@ fn field(table: &Schema, key: &KeyInfo, above: &str) -> Value {
     Value::Object(field)
 }
 
-/// The kind of a field, and whether it may have a range.
-fn kind(form: Form) -> (&'static str, bool) {
+/// The kind of a field.
+fn kind(form: Form) -> &'static str {
     match form {
-        Form::Text => ("text", false),
-        Form::Flag => ("flag", false),
-        Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) | Form::WordsOrTable(..) => ("choice", false),
-        Form::Count(_) => ("integer", false),
-        Form::Keys(_) => ("names", false),
-        Form::Number(_) | Form::NumberOrTable(..) => ("number", true),
-        Form::Numbers(_) => ("numbers", true),
-        Form::Quantity(..) | Form::Sourced(..) | Form::QuantityOrTables(..) => ("quantity", true),
-        Form::Exact(..) => ("quantity", false),
-        Form::Quantities(..) => ("quantities", true),
-        Form::Wheels(..) => ("wheels", true),
-        Form::AngleOrHour => ("angle-or-hour", true),
-        Form::Vehicle | Form::Table(_) => ("table", false),
-        Form::Tables(..) => ("tables", false),
-        Form::Percent(_) => ("percent", false),
-        Form::Probability => ("number", false),
-        Form::Value | Form::Values | Form::Deviation => ("value", false),
+        Form::Text => "text",
+        Form::Flag => "flag",
+        Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) | Form::WordsOrTable(..) => "choice",
+        Form::Count(_) => "integer",
+        Form::Keys(_) => "names",
+        Form::Number(_) | Form::NumberOrTable(..) | Form::Probability => "number",
+        Form::Numbers(_) => "numbers",
+        Form::Quantity(..) | Form::Sourced(..) | Form::QuantityOrTables(..) | Form::Exact(..) => "quantity",
+        Form::Quantities(..) => "quantities",
+        Form::Wheels(..) => "wheels",
+        Form::AngleOrHour => "angle-or-hour",
+        Form::Vehicle | Form::Table(_) => "table",
+        Form::Tables(..) => "tables",
+        Form::Percent(_) => "percent",
+        Form::Value | Form::Values | Form::Deviation => "value",
     }
 }

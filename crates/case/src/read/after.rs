@@ -30,10 +30,7 @@ impl<'t> Reader<'t> {
         if table.has("speed") && !table.has("skid") && table.has("phase") {
             let message = format!("{} gives \"speed\" without \"skid\"", table.label());
             let help = "`speed` of this table is that where a skid begins; a phase has a `speed` of its own";
-            self.report_path(
-                &table.path_of("speed"),
-                CaseProblem::Fault { message, help: Some(help.to_owned()) },
-            );
+            self.refuse::<()>(&table.path_of("speed"), message, help);
         }
         (skid.is_some() || !phases.is_empty()).then_some(Before { skid, speed, phases })
     }
@@ -87,11 +84,9 @@ impl<'t> Reader<'t> {
         };
         if table.has("speed") && !table.has("direction") && !table.means("direction") {
             let message = format!("{} gives \"speed\", but not \"direction\"", table.label());
-            let help =
-                "add the direction in which the CG moved after the impact, as in direction = \"35 deg\"; \
-                        the speed before the impact belongs in the table of the vehicle"
-                    .to_owned();
-            self.report_path(&table.path_of("speed"), CaseProblem::Fault { message, help: Some(help) });
+            let help = "add the direction in which the CG moved after the impact, as in direction = \"35 deg\"; \
+                        the speed before the impact belongs in the table of the vehicle";
+            self.refuse::<()>(&table.path_of("speed"), message, help);
         }
         (after != After::default()).then_some(after)
     }
@@ -110,9 +105,7 @@ impl<'t> Reader<'t> {
             .collect();
         let Ok(wheels) = <[Option<WheelDrag>; WHEELS]>::try_from(wheels) else {
             let message = format!("{} has {} values, but a vehicle has four wheels", place.name, list.len());
-            let help = Some(format!("write {DRAGS}"));
-            self.report(value.span(), CaseProblem::Fault { message, help });
-            return None;
+            return self.refuse(&place.path, message, &format!("write {DRAGS}"));
         };
         let [Some(front_left), Some(front_right), Some(rear_left), Some(rear_right)] = wheels else {
             return None;
@@ -151,10 +144,9 @@ impl<'t> Reader<'t> {
         }
         let tables = self.tables(after, "steer", &STEER, FORMS, MOST_ZONES)?;
         if tables.is_empty() {
-            let message = format!("\"{}\" is an empty list", after.path_of("steer"));
-            let help = Some(format!("write {FORMS}, or leave it out if the wheels are straight"));
-            self.report(value.span(), CaseProblem::Fault { message, help });
-            return None;
+            let path = after.path_of("steer");
+            let help = format!("write {FORMS}, or leave it out if the wheels are straight");
+            return self.refuse(&path, format!("\"{path}\" is an empty list"), &help);
         }
         let points: Vec<Option<SteerPoint>> = tables
             .iter()
@@ -175,9 +167,11 @@ impl<'t> Reader<'t> {
                     "\"{path}\" is {}, but must be later than the {} before it",
                     point.time, before.time
                 );
-                let help = Some("list the steer angles in the order of time, each time once".to_owned());
-                self.report_path(&path, CaseProblem::Fault { message, help });
-                return None;
+                return self.refuse(
+                    &path,
+                    message,
+                    "list the steer angles in the order of time, each time once",
+                );
             }
         }
         Some(GivenSteer::Over(points))

@@ -77,21 +77,18 @@ impl<'t> Reader<'t> {
         for key in recorder.given(&KEYS_OF_RECORD) {
             let path = recorder.path_of(key);
             let message = format!("\"{path}\" belongs to one record, but `records` has several");
-            let help = Some("move it into the record that it belongs to".to_owned());
-            self.report_path(&path, CaseProblem::Fault { message, help });
+            self.refuse::<()>(&path, message, "move it into the record that it belongs to");
         }
-        if let (true, Some(value)) = (tables.is_empty(), recorder.get("records")) {
-            let message = format!("\"{}\" is an empty list", recorder.path_of("records"));
-            let help = Some(format!("write {FORMS}, or leave it out"));
-            self.report(value.span(), CaseProblem::Fault { message, help });
+        if tables.is_empty() {
+            let path = recorder.path_of("records");
+            let help = format!("write {FORMS}, or leave it out");
+            self.refuse::<()>(&path, format!("\"{path}\" is an empty list"), &help);
         }
         if let Some(first) = tables.first().filter(|first| first.has("since_previous")) {
             let path = first.path_of("since_previous");
             let message = format!("\"{path}\" belongs to the first record, which has none before it");
-            let help = Some(
-                "list the records in the order of time, and give this key from the second on".to_owned(),
-            );
-            self.report_path(&path, CaseProblem::Fault { message, help });
+            let help = "list the records in the order of time, and give this key from the second on";
+            self.refuse::<()>(&path, message, help);
         }
         let record = |table: &Table<'t>| {
             self.not_empty(table, FORMS);
@@ -120,8 +117,7 @@ impl<'t> Reader<'t> {
         if !others.is_sorted_by_key(|other| other.after) {
             let path = recorder.path_of("other_impacts");
             let message = format!("\"{path}\" lists an impact after that of the case ahead of one before it");
-            let help = Some("write them in the order of time".to_owned());
-            self.report_path(&path, CaseProblem::Fault { message, help });
+            self.refuse::<()>(&path, message, "write them in the order of time");
         }
         others
     }
@@ -160,11 +156,8 @@ impl<'t> Reader<'t> {
         ];
         for (of_table, key, what, help) in excluded {
             if table.has(of_table) && table.has(key) {
-                let message = format!("\"{}\" and `{of_table}` both give {what}", table.path_of(key));
-                self.report_path(
-                    &table.path_of(key),
-                    CaseProblem::Fault { message, help: Some(help.to_owned()) },
-                );
+                let path = table.path_of(key);
+                self.refuse::<()>(&path, format!("\"{path}\" and `{of_table}` both give {what}"), help);
             }
         }
         Recorder {
@@ -206,12 +199,9 @@ impl<'t> Reader<'t> {
             last_is_of_impact,
         };
         if let Err(refusal) = errors.errors(None, None).check() {
-            let message = format!("\"{}\" is too large", table.path_of(refusal.name));
-            let help = Some(
-                "it is the error of a speed at impact, and should be about as large as in its example"
-                    .to_owned(),
-            );
-            self.report_path(&table.path_of(refusal.name), CaseProblem::Fault { message, help });
+            let path = table.path_of(refusal.name);
+            let help = "it is the error of a speed at impact, and should be about as large as in its example";
+            self.refuse::<()>(&path, format!("\"{path}\" is too large"), help);
         }
         errors
     }
@@ -294,9 +284,11 @@ impl<'t> Reader<'t> {
         {
             let path = table.path_of("at_least");
             let message = format!("\"{path}\" is not below `at_most`");
-            let help = Some("a speed that is known exactly belongs in `speed` of the vehicle".to_owned());
-            self.report_path(&path, CaseProblem::Fault { message, help });
-            return None;
+            return self.refuse(
+                &path,
+                message,
+                "a speed that is known exactly belongs in `speed` of the vehicle",
+            );
         }
         Some(CertainSpeed { at_least, at_most })
     }

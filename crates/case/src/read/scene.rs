@@ -4,11 +4,8 @@ use std::path::{Component, Path};
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
-use crate::case_problem::CaseProblem;
 use crate::schema::{CORNER, Form, GRADE, KeyInfo, MOST_ZONES, SITE_PLAN, SURFACE_ZONE};
-use inputs::{
-    Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown,
-};
+use inputs::{Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone};
 
 /// Error text for a range where none is allowed.
 const EXACT_PLACE: &str = "a string with a number and a unit, because this place is exact";
@@ -65,7 +62,7 @@ impl<'t> Reader<'t> {
             let message = format!("\"{}\" is not in the folder of the case file", table.path_of("file"));
             let help = "put the picture next to the case file, or into a folder there, and write its name: \
                         file = \"aerial.jpg\"";
-            return self.refuse_at(&table, "file", message, help);
+            return self.refuse(&table.path_of("file"), message, help);
         }
         Some(Some(GivenSitePlan { file, corner, width, angle }))
     }
@@ -169,12 +166,13 @@ impl<'t> Reader<'t> {
         {
             return Some([*first, *second]);
         }
+        let path = zone.path_of("edge");
         let message = match edge {
-            [_, _] => format!("the two places of \"{}\" are the same", zone.path_of("edge")),
-            _ => format!("\"{}\" has {} places, but an edge needs two", zone.path_of("edge"), edge.len()),
+            [_, _] => format!("the two places of \"{path}\" are the same"),
+            _ => format!("\"{path}\" has {} places, but an edge needs two", edge.len()),
         };
         let help = "give two different places on the edge of the zone, far apart; for a zone with corners, write polygon";
-        self.refuse_at(zone, "edge", message, help)
+        self.refuse(&path, message, help)
     }
 
     /// The corners, if they enclose a part of the ground.
@@ -185,14 +183,14 @@ impl<'t> Reader<'t> {
         if count < 3 {
             let message = format!("\"{path}\" has {count} corners, but {} needs three or more", shape.name);
             let help = format!("give all corners, in their order along the outline{}", shape.instead);
-            return self.refuse_at(zone, "polygon", message, &help);
+            return self.refuse(&path, message, &help);
         }
         let side = |index: usize| [places[index], places[(index + 1) % count]];
         if let Some(index) = (0..count).find(|index| side(*index)[0] == side(*index)[1]) {
             let message =
                 format!("corners {} and {} of \"{path}\" are the same", index + 1, (index + 1) % count + 1);
             let help = "give each corner once; the outline closes by itself";
-            return self.refuse_at(zone, "polygon", message, help);
+            return self.refuse(&path, message, help);
         }
         let crossing = (0..count)
             .flat_map(|first| (first + 2..count).map(move |second| (first, second)))
@@ -206,22 +204,9 @@ impl<'t> Reader<'t> {
                 second + 1
             );
             let help = "list the corners in their order along the outline";
-            return self.refuse_at(zone, "polygon", message, help);
+            return self.refuse(&path, message, help);
         }
         Some(corners)
-    }
-
-    fn refuse_at<T>(
-        &mut self,
-        zone: &Table<'t>,
-        key: &'static str,
-        message: String,
-        help: &str,
-    ) -> Option<T> {
-        let problem =
-            CaseProblem::Fault { message: shown(&message).to_string(), help: Some(help.to_owned()) };
-        self.report_path(&zone.path_of(key), problem);
-        None
     }
 }
 

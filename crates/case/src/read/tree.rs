@@ -160,6 +160,12 @@ impl<'t> Reader<'t> {
         self.problems.push(Diagnostic::new(span, problem).about(path));
     }
 
+    /// Reports what is wrong at a key, in a sentence that no other fault has.
+    pub(super) fn refuse<T>(&mut self, path: &str, message: String, help: &str) -> Option<T> {
+        self.report_path(path, CaseProblem::Fault { message, help: Some(help.to_owned()) });
+        None
+    }
+
     /// The document itself, as a table.
     pub(super) fn document(&mut self, entries: &'t Entries<'t>, schema: &'static Schema) -> Table<'t> {
         self.open(String::new(), entries, schema)

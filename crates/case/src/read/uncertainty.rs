@@ -47,7 +47,7 @@ impl<'t> Reader<'t> {
                     join(&quoted, "and")
                 )
             };
-            self.refuse(span, format!("\"{key}\" has no spread that could be switched off"), help);
+            self.refuse_at(span, format!("\"{key}\" has no spread that could be switched off"), help);
             is_sound = false;
         }
         is_sound.then(|| names.into_iter().map(|name| name.key).collect())
@@ -62,9 +62,11 @@ impl<'t> Reader<'t> {
         for (index, error) in errors.iter().enumerate() {
             if errors[..index].iter().any(|other| other.name == error.name) {
                 let message = format!("two shared errors have the name \"{}\"", error.name);
-                let help = Some("give each error a name of its own".to_owned());
-                self.report_path(&tables[index].path_of("name"), CaseProblem::Fault { message, help });
-                return None;
+                return self.refuse(
+                    &tables[index].path_of("name"),
+                    message,
+                    "give each error a name of its own",
+                );
             }
         }
         Some(errors)
@@ -79,9 +81,8 @@ impl<'t> Reader<'t> {
             }
             let message =
                 "the name of a shared error has a character that is neither a letter nor a digit".to_owned();
-            let help = Some("write a name of letters, digits, spaces, hyphens and underscores".to_owned());
-            self.report_path(&table.path_of("name"), CaseProblem::Fault { message, help });
-            None
+            let help = "write a name of letters, digits, spaces, hyphens and underscores";
+            self.refuse(&table.path_of("name"), message, help)
         });
         let of = if table.has("of") { self.names(table, "of") } else { None };
         let of = of?;
@@ -106,11 +107,8 @@ impl<'t> Reader<'t> {
     ) -> Option<Option<Dimension>> {
         if of.is_empty() {
             let help = "list the keys of the numbers that share the error, such as \"vehicle1.crush.depths\"";
-            let message = format!("\"{}\" is an empty list", table.path_of("of"));
-            self.report_path(
-                &table.path_of("of"),
-                CaseProblem::Fault { message, help: Some(help.to_owned()) },
-            );
+            let path = table.path_of("of");
+            self.refuse::<()>(&path, format!("\"{path}\" is an empty list"), help);
         }
         let mut is_sound = true;
         for Named { key, span } in of {
@@ -122,7 +120,7 @@ impl<'t> Reader<'t> {
                 || "give the key of a number of this file, such as \"vehicle1.crush.depths\"".to_owned(),
                 |near| format!("did you mean \"{near}\"?"),
             );
-            self.refuse(span, format!("this file gives no number \"{key}\""), help);
+            self.refuse_at(span, format!("this file gives no number \"{key}\""), help);
             is_sound = false;
         }
         let first = of.first().filter(|_| is_sound)?;
@@ -143,7 +141,7 @@ impl<'t> Reader<'t> {
         );
         let help =
             "give the error as a percentage, `within = \"5 %\"` and `confidence = 0.95`, or an error to each";
-        self.refuse(&other.span, message, help.to_owned());
+        self.refuse_at(&other.span, message, help.to_owned());
         false
     }
 
@@ -169,7 +167,7 @@ impl<'t> Reader<'t> {
             };
             if names.iter().any(|name| name.key == text) {
                 let message = format!("\"{path}\" lists \"{text}\" twice");
-                self.refuse(&element.span(), message, "remove one of the two".to_owned());
+                self.refuse_at(&element.span(), message, "remove one of the two".to_owned());
                 is_sound = false;
             }
             names.push(Named { key: text.to_owned(), span: element.span() });
@@ -177,7 +175,7 @@ impl<'t> Reader<'t> {
         is_sound.then_some(names)
     }
 
-    fn refuse(&mut self, span: &Span<usize>, message: String, help: String) {
+    fn refuse_at(&mut self, span: &Span<usize>, message: String, help: String) {
         self.report(span.clone(), CaseProblem::Fault { message, help: Some(help) });
     }
 }

@@ -467,8 +467,7 @@ impl<'t> Reader<'t> {
     pub(super) fn not_false<U>(&mut self, table: &Table<'t>, key: &str, help: &str) -> Option<U> {
         if table.get(key).and_then(|value| value.get_ref().as_bool()) == Some(false) {
             let path = table.path_of(key);
-            let message = format!("\"{path}\" is false, which has no meaning here");
-            self.report_path(&path, CaseProblem::Fault { message, help: Some(help.to_owned()) });
+            self.refuse::<()>(&path, format!("\"{path}\" is false, which has no meaning here"), help);
         }
         None
     }

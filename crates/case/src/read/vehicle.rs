@@ -2,7 +2,7 @@
 
 use super::tree::{Reader, Table};
 use super::values::{Place, hour_of, named};
-use crate::case_problem::{CLASS_FORMS, CaseProblem};
+use crate::case_problem::{CLASS_FORMS, CaseProblem, counted};
 use crate::node::Node;
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
@@ -146,8 +146,8 @@ impl<'t> Reader<'t> {
             let message = format!(
                 "the centre of gravity, {cg_to_front} behind the front, lies behind the rear of a vehicle {length} long"
             );
-            let help = Some("check both: `cg_to_front` is less than `length`".to_owned());
-            self.report_path(&table.path_of("cg_to_front"), CaseProblem::Fault { message, help });
+            let help = "check both: `cg_to_front` is less than `length`";
+            self.refuse::<()>(&table.path_of("cg_to_front"), message, help);
         }
         Some(outline)
     }
@@ -211,17 +211,18 @@ impl<'t> Reader<'t> {
         let stiffness = self.stiffness(table);
         if let Some(StiffnessForm::Zones(zones)) = &stiffness {
             let path = format!("{}.zones", table.path_of("stiffness"));
-            let problem = match depths.as_ref().map(Vec::len) {
+            match depths.as_ref().map(Vec::len) {
                 _ if from_force_balance => {
-                    Some(CaseProblem::InferredHas { table: table.label(), key: "zones" })
+                    self.report_path(&path, CaseProblem::InferredHas { table: table.label(), key: "zones" });
                 }
                 Some(stations) if stations >= 2 && zones.len() != stations - 1 => {
-                    Some(CaseProblem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
+                    let (zones, needed) = (counted(zones.len(), "zone"), stations - 1);
+                    let message =
+                        format!("\"{path}\" has {zones} for {stations} depths, but {needed} are needed");
+                    let help = "each zone lies between two neighbouring stations, so give one fewer than there are depths, in the same order";
+                    self.refuse::<()>(&path, message, help);
                 }
-                _ => None,
-            };
-            if let Some(problem) = problem {
-                self.report_path(&path, problem);
+                _ => {}
             }
         }
         let offset = self.quantity(table, "offset");
@@ -264,8 +265,12 @@ impl<'t> Reader<'t> {
             && spacing.len() + 1 != stations
         {
             let path = table.path_of("spacing");
-            let problem = CaseProblem::SpacingCount { path: path.clone(), spacings: spacing.len(), stations };
-            self.report_path(&path, problem);
+            let (widths, needed) = (spacing.len(), stations - 1);
+            let message =
+                format!("\"{path}\" has {widths} widths for {stations} depths, but {needed} are needed");
+            let help = "give the widths between neighbouring stations, one fewer than there are depths; leave spacing out if the stations \
+                        are equally spaced";
+            self.refuse::<()>(&path, message, help);
             return;
         }
         let sum: f64 = spacing.iter().map(Quantity::si).sum();
@@ -276,12 +281,9 @@ impl<'t> Reader<'t> {
             let in_unit = format!("{:.5e}", sum / width.unit().factor());
             let digits = in_unit.parse::<f64>().map_or(in_unit, format_number);
             let path = table.path_of("width");
-            let problem = CaseProblem::WidthMismatch {
-                path: path.clone(),
-                width,
-                sum: format!("{digits} {}", width.unit()),
-            };
-            self.report_path(&path, problem);
+            let message =
+                format!("\"{path}\" is {width}, but the spacing adds up to {digits} {}", width.unit());
+            self.refuse::<()>(&path, message, "make the two agree to within 0.1 %, or leave the width out");
         }
     }
 
@@ -399,7 +401,7 @@ impl<'t> Reader<'t> {
         };
         if let Err(error) = line.stiffness() {
             let path = table.path_of("limit");
-            let problem = match (error, limit) {
+            let (message, help) = match (error, limit) {
                 (CrushError::LimitBelowStart { a, .. }, Some(limit)) => {
                     let start = match &line {
                         StiffnessLine::Crush { a, .. } => format!("A = {a}"),
@@ -407,12 +409,13 @@ impl<'t> Reader<'t> {
                             format!("A = d0·d1 = {}", format_limit(a, limit.unit(), Limit::Least))
                         }
                     };
-                    CaseProblem::LimitBelowStart { path: named(&path), limit, start }
+                    let message =
+                        format!("\"{path}\" is {limit}, but must be at least {start}, where crush begins");
+                    (message, "raise the limit, or leave it out if none is known")
                 }
-                _ => CaseProblem::Stiffness { error, remedy: "check the numbers and their units" },
+                _ => (error.to_string(), "check the numbers and their units"),
             };
-            self.report_path(&path, problem);
-            return None;
+            return self.refuse(&path, message, help);
         }
         Some(line)
     }
@@ -439,20 +442,23 @@ impl<'t> Reader<'t> {
             fit: fit.unwrap_or_default(),
         };
         if let Err(error) = test.stiffness() {
-            let refused = |remedy| CaseProblem::Stiffness { error, remedy };
-            let (key, problem) = match error {
-                CrushError::NoDamageSpeed { .. } => {
-                    let path = named(&table.path_of("no_damage_speed"));
-                    let (value, speed) = (test.no_damage_speed, test.speed);
-                    ("no_damage_speed", CaseProblem::NoDamageSpeed { path, value, speed })
-                }
+            let (key, message, help) = match error {
+                CrushError::NoDamageSpeed { .. } => (
+                    "no_damage_speed",
+                    format!(
+                        "\"{}\" is {}, but must be less than the test speed of {}, because the test left crush",
+                        table.path_of("no_damage_speed"),
+                        test.no_damage_speed,
+                        test.speed
+                    ),
+                    "give the highest speed that leaves no crush, which is below the test speed",
+                ),
                 CrushError::NoCrushInTest => {
-                    ("depths", refused("give the residual crush measured after the test"))
+                    ("depths", error.to_string(), "give the residual crush measured after the test")
                 }
-                _ => ("speed", refused("check the numbers and their units")),
+                _ => ("speed", error.to_string(), "check the numbers and their units"),
             };
-            self.report_path(&table.path_of(key), problem);
-            return None;
+            return self.refuse(&table.path_of(key), message, help);
         }
         Some(test)
     }

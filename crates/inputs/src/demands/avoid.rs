@@ -12,11 +12,11 @@ use trajectory::GREATEST_FRICTION;
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OffLine,
-    OtherForm, OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, GivenDemand, GivenWayOut, OffLine,
+    OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
-use crate::fault::{Fault, FaultKind, Faults};
+use crate::fault::Faults;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::scene::Place;
@@ -134,16 +134,7 @@ impl<T: Copy + From<f64>> Case<T> {
         let vehicle = self.avoid_subject();
         let [own, _] = &basis.recorded;
         let braking = if avoid.unbraked { BrakingForm::Unbraked } else { self.braking_form(vehicle, own)? };
-        let demand = match avoid.demand.as_ref()? {
-            GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
-            GivenDemand::Time(time) => DemandForm::Time(time.quantity),
-            GivenDemand::Other(other) => DemandForm::Other(OtherForm {
-                distance: other.distance.quantity,
-                speed: of(&other.speed),
-                acceleration: of(&other.acceleration),
-            }),
-            GivenDemand::Sight => DemandForm::Sight,
-        };
+        let demand = avoid.demand.as_ref()?.map(|_, given| given.quantity);
         let has_obstacle = !avoid.obstacles.is_empty();
         let sight = if has_obstacle { Some(self.sight_form(avoid, basis)?) } else { None };
         let clear = match &avoid.clear {
@@ -315,7 +306,7 @@ impl Demand<'_, f64> {
                 GREATEST_FRICTION * STANDARD_GRAVITY
             );
             let advice = "check the unit and the decimal point: cars on dry asphalt reach 7 to 10 m/s^2";
-            self.refuse_avoid("avoid.deceleration", reason, advice.to_owned());
+            self.refuse("avoid.deceleration", reason, advice);
         }
     }
 
@@ -326,11 +317,7 @@ impl Demand<'_, f64> {
         if given.fixed {
             let advice =
                 format!("name the vehicle that moved, as in vehicle = \"{}\"", super::table(vehicle.other()));
-            self.refuse_avoid(
-                "avoid.vehicle",
-                format!("[avoid] asks about [{table}], which is fixed"),
-                advice,
-            );
+            self.refuse("avoid.vehicle", format!("[avoid] asks about [{table}], which is fixed"), advice);
             return;
         }
         let sought = self.case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
@@ -339,14 +326,14 @@ impl Demand<'_, f64> {
                 let reason = format!(
                     "the speed of [{table}] is given twice: here at the reaction demand, and in [{table}] at the impact"
                 );
-                let advice = "remove one of the two; with the speed at the impact, `skid` of its table `before` gives that at the demand".to_owned();
-                self.refuse_avoid("avoid.speed", reason, advice);
+                let advice = "remove one of the two; with the speed at the impact, `skid` of its table `before` gives that at the demand";
+                self.refuse("avoid.speed", reason, advice);
             }
             (SpeedForm::Sought, Some(_)) if !sought => {
                 let reason = format!("[avoid] needs the speed of [{table}] as one number");
                 let advice =
                     format!("write `speed` in [{table}] in place of `velocity`, or `speed` in [avoid]");
-                self.refuse_avoid(&format!("{table}.velocity"), reason, advice);
+                self.refuse(format_args!("{table}.velocity"), reason, advice);
             }
             (SpeedForm::Sought, None)
                 if given.recorder.as_ref().is_some_and(|recorder| recorder.before_impact().is_some()) => {}
@@ -367,7 +354,7 @@ impl Demand<'_, f64> {
                 "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
             );
             let advice = format!("ask about the other: vehicle = \"{}\"", super::table(vehicle.other()));
-            self.refuse_avoid(&format!("{table}.speed"), reason, advice);
+            self.refuse(format_args!("{table}.speed"), reason, advice);
         }
     }
 
@@ -378,15 +365,11 @@ impl Demand<'_, f64> {
         if avoid.unbraked {
             let reason =
                 "`unbraked` says that the vehicle did not brake, but its table `before` has skid marks";
-            self.refuse_avoid("avoid.unbraked", reason.to_owned(), format!("remove it, or `{path}`"));
+            self.refuse("avoid.unbraked", reason, format!("remove it, or `{path}`"));
         }
         if matches!(skid.begin, SkidBegin::From(_)) {
             let reason = "[avoid] needs the length of the skid, and not the place where it began";
-            self.refuse_avoid(
-                &path,
-                reason.to_owned(),
-                "write skid = { length = \"18 m\", friction = 0.7 }".to_owned(),
-            );
+            self.refuse(&path, reason, "write skid = { length = \"18 m\", friction = 0.7 }");
         }
         if skid.friction.is_none() && self.case.surface.is_none() {
             self.missing(format_args!("{path}.friction"), "`friction` of the skid, or that of [surface]");
@@ -399,19 +382,15 @@ impl Demand<'_, f64> {
         let given = &self.case.vehicles[vehicle.index()];
         let table = table(vehicle);
         let Some(first) = given.phases().first() else { return };
-        let path = format!("{table}.before.phase");
+        let [path, skid] = ["phase", "skid"].map(|key| format!("{table}.before.{key}"));
         for (is_given, key, what) in [
-            (avoid.unbraked, "avoid.unbraked".to_owned(), "`unbraked` says how the vehicle came"),
-            (
-                avoid.speed.is_some(),
-                "avoid.speed".to_owned(),
-                "the speed at the reaction demand is given here",
-            ),
-            (given.skid().is_some(), format!("{table}.before.skid"), "a skid says how the vehicle came"),
+            (avoid.unbraked, "avoid.unbraked", "`unbraked` says how the vehicle came"),
+            (avoid.speed.is_some(), "avoid.speed", "the speed at the reaction demand is given here"),
+            (given.skid().is_some(), &skid, "a skid says how the vehicle came"),
         ] {
             if is_given {
                 let reason = format!("{what}, and so do the phases before the impact");
-                self.refuse_avoid(&key, reason, format!("remove it, or the tables [[{path}]]"));
+                self.refuse(key, reason, format!("remove it, or the tables [[{path}]]"));
             }
         }
         let leads_on = first.form.leads_on();
@@ -423,7 +402,7 @@ impl Demand<'_, f64> {
             );
             let advice = "remove `speed`, `distance` or `time` from the first phase: the speed at the impact then leads back \
                           through the phases";
-            self.refuse_avoid(&format!("{path}[1]"), reason, advice.to_owned());
+            self.refuse(format_args!("{path}[1]"), reason, advice);
         }
         for (index, phase) in given.phases().iter().enumerate() {
             let (count, has_speed) = (phase.form.given(), phase.form.speed.is_some());
@@ -444,7 +423,7 @@ impl Demand<'_, f64> {
             let advice = "as in { distance = \"12 m\", acceleration = \"-4 m/s^2\" }; the first phase may have `speed` and two more \
                           where nothing else tells the speed at the impact, such as { speed = \"0 km/h\", acceleration = \"1.5 m/s^2\", \
                           distance = \"7.7 m\" }";
-            self.refuse_avoid(&format!("{path}[{}]", index + 1), reason.to_owned(), advice.to_owned());
+            self.refuse(format_args!("{path}[{}]", index + 1), reason, advice);
         }
     }
 
@@ -491,8 +470,8 @@ impl Demand<'_, f64> {
                 let reason = format!(
                     "[{table}] does not travel along its heading, so that `outlines` cannot say when it is out of the zone"
                 );
-                let advice = "give `distance` in place of `outlines`".to_owned();
-                self.refuse_avoid("avoid.clear.outlines", reason, advice);
+                let advice = "give `distance` in place of `outlines`";
+                self.refuse("avoid.clear.outlines", reason, advice);
                 return;
             }
         }
@@ -511,8 +490,8 @@ impl Demand<'_, f64> {
         if apart < LEAST_SINE {
             let reason = "both vehicles travel nearly along one line, so that the other does not leave the strip that this one \
                           sweeps";
-            let advice = "give `distance` in place of `outlines`, or leave `clear` out".to_owned();
-            self.refuse_avoid("avoid.clear.outlines", reason.to_owned(), advice);
+            let advice = "give `distance` in place of `outlines`, or leave `clear` out";
+            self.refuse("avoid.clear.outlines", reason, advice);
         }
     }
 
@@ -540,7 +519,7 @@ impl Demand<'_, f64> {
                     let advice = format!(
                         "give places that were passed before, in their order; the last is `{end}` itself and not listed"
                     );
-                    self.refuse_avoid(key, reason, advice);
+                    self.refuse(key, reason, advice);
                 }
             }
         }
@@ -578,10 +557,5 @@ impl Demand<'_, f64> {
                 self.missing(key, example);
             }
         }
-    }
-
-    fn refuse_avoid(&mut self, key: &str, reason: String, advice: String) {
-        let kind = FaultKind::Refused { reason };
-        self.faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
     }
 }

@@ -83,22 +83,14 @@ impl<T: Real> Demand<'_, T> {
                     "`find` seeks the speed of vehicle {sought}, which the case gives, and not that of vehicle {other}, \
                      which it does not give"
                 );
-                self.faults.push(Fault {
-                    key: "reconstruct.find".to_owned(),
-                    kind: FaultKind::Refused { reason },
-                    advice: Some(format!("write find = \"vehicle{other}.speed\"")),
-                });
+                let advice = format!("write find = \"vehicle{other}.speed\"");
+                self.refuse("reconstruct.find", reason, advice);
                 return None;
             }
             if unknown.is_none() {
                 let reason = "`reconstruct.find` asks for both speeds, but only one is to be found here";
-                self.faults.push(Fault {
-                    key: "reconstruct.find".to_owned(),
-                    kind: FaultKind::Refused { reason: reason.to_owned() },
-                    advice: Some(
-                        "write find = \"vehicle1.speed\" and give the speed of vehicle 2".to_owned(),
-                    ),
-                });
+                let advice = "write find = \"vehicle1.speed\" and give the speed of vehicle 2";
+                self.refuse("reconstruct.find", reason, advice);
             }
             return unknown;
         }

@@ -5,31 +5,29 @@ use pim_core::VehicleId;
 use super::table;
 use crate::case::Find;
 use crate::crush::StiffnessForm;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::Fault;
 use crate::vehicle::{GivenVehicle, VehicleKind};
 
 /// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]
 pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) -> Vec<Fault> {
     let mut faults = Vec::new();
-    let mut contradiction = |key: &str, reason: String, advice: String| {
-        let kind = FaultKind::Refused { reason };
-        faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
-    };
+    let mut contradiction =
+        |key: &str, reason: &str, advice: &str| faults.push(Fault::refused(key, reason, advice));
     let fixed = VehicleId::ALL
         .into_iter()
         .find(|id| vehicles[id.index()].fixed && find.is_some_and(|find| find.seeks(*id)));
     if vehicles.iter().all(|vehicle| vehicle.fixed) {
         contradiction(
             "vehicle2.fixed",
-            "both vehicles are fixed, so nothing can collide".to_owned(),
-            "remove fixed = true from the one that can move".to_owned(),
+            "both vehicles are fixed, so nothing can collide",
+            "remove fixed = true from the one that can move",
         );
     } else if let Some(id) = fixed {
         contradiction(
             "reconstruct.find",
-            format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", table(id)),
-            format!("write find = \"{}.speed\"", table(id.other())),
+            &format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", table(id)),
+            &format!("write find = \"{}.speed\"", table(id.other())),
         );
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
@@ -38,18 +36,17 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
         if vehicle.class.is_some() {
             contradiction(
                 &format!("{table}.class"),
-                format!("CRASH3's size classes are for passenger cars, but [{table}] has kind = \"{kind}\""),
-                "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front"
-                    .to_owned(),
+                &format!("CRASH3's size classes are for passenger cars, but [{table}] has kind = \"{kind}\""),
+                "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front",
             );
         }
         if vehicle.crush.as_ref().is_some_and(|crush| matches!(crush.stiffness, StiffnessForm::Category(_))) {
             contradiction(
                 &format!("{table}.crush.stiffness.category"),
-                format!(
+                &format!(
                     "CRASH3's stiffness categories are for passenger cars, but [{table}] has kind = \"{kind}\""
                 ),
-                "give A and B of its structure, or a test".to_owned(),
+                "give A and B of its structure, or a test",
             );
         }
     }
@@ -58,9 +55,8 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
     if VehicleId::ALL.into_iter().all(inferred) {
         contradiction(
             "vehicle2.crush.from_force_balance",
-            "both vehicles take their crush from the force balance, so neither crush was measured".to_owned(),
-            "give the width and depths of the inspected vehicle, and remove its from_force_balance"
-                .to_owned(),
+            "both vehicles take their crush from the force balance, so neither crush was measured",
+            "give the width and depths of the inspected vehicle, and remove its from_force_balance",
         );
     } else if let Some(id) =
         VehicleId::ALL.into_iter().find(|id| inferred(*id) && vehicles[id.other().index()].crush.is_none())
@@ -68,10 +64,10 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
         let [vehicle, other] = [table(id), table(id.other())];
         contradiction(
             &format!("{vehicle}.crush.from_force_balance"),
-            format!(
+            &format!(
                 "[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush"
             ),
-            format!("add [{other}.crush] with side, width, depths and stiffness"),
+            &format!("add [{other}.crush] with side, width, depths and stiffness"),
         );
     }
     faults

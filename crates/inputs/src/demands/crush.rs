@@ -1,7 +1,5 @@
 //! The data that the damage of a vehicle needs from a case, and the direction of the force on it.
 
-use std::fmt::{self, Display};
-
 use crash3::{DamagedFace, Profile, SideStiffness};
 use pim_core::{Real, VehicleId};
 
@@ -17,16 +15,6 @@ use crate::vehicle::GivenVehicle;
 /// How to find a speed without any damage.
 const WITHOUT_DAMAGE: &str = "; without damage data momentum gives the speed, from how the vehicles left the impact: leave `crush` out of both, and in [vehicle1.after] and \
                               [vehicle2.after] give `speed` and `direction`, or `rest` with `drag`";
-
-/// A key in the crush table of a vehicle, formatted only if it has a fault, because an uncertain case is
-/// turned into the types of the engine a million times.
-struct InCrush(VehicleId, &'static str);
-
-impl Display for InCrush {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.crush.{}", table(self.0), self.1)
-    }
-}
 
 /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
 pub(super) fn fill_opposite_pdof<T: Real>(
@@ -78,9 +66,8 @@ impl<T: Real> Demand<'_, T> {
         form: &CrushForm<'_, T>,
         dimensions: Option<Dimensions<T>>,
     ) -> Option<DamageData<T>> {
-        let path = |key| InCrush(id, key);
         let crush = form.crush;
-        let structure = self.accepted(path("stiffness"), form.structure());
+        let structure = self.accepted(format_args!("{}.crush.stiffness", table(id)), form.structure());
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(id, crush, dimensions)?;
             match structure? {
@@ -88,7 +75,7 @@ impl<T: Real> Demand<'_, T> {
                 SideStiffness::Zones(_) => {
                     let reason =
                         "zones lie between stations, but a crush from the force balance has no stations";
-                    return self.accepted(path("stiffness.zones"), Err(reason));
+                    return self.accepted(format_args!("{}.crush.stiffness.zones", table(id)), Err(reason));
                 }
             }
         } else {
@@ -126,12 +113,11 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn profile(&mut self, id: VehicleId, crush: &CrushForm<'_, T>) -> Option<Profile<T>> {
-        let path = |key| InCrush(id, key);
         let Some(profile) = crush.profile() else {
-            self.missing(path("width"), "`width = \"65 in\"` or `spacing`");
+            self.missing(format_args!("{}.crush.width", table(id)), "`width = \"65 in\"` or `spacing`");
             return None;
         };
-        self.accepted(path("depths"), profile)
+        self.accepted(format_args!("{}.crush.depths", table(id)), profile)
     }
 
     fn inferred_width(

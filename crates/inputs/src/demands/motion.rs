@@ -12,7 +12,7 @@ use crate::after::{After, GivenSteer, RestHeading, Skid, SkidBegin, WheelDrag};
 use crate::axes::Axes;
 use crate::case::{Case, Find};
 use crate::data::{CollisionData, VehicleData};
-use crate::fault::{Fault, FaultKind, Faults};
+use crate::fault::{FaultKind, Faults};
 use crate::motion::{
     Geometry, MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, Sought, SteerData,
     SurfaceData, TwoSpeedInput, VehicleMotion, ZoneData,
@@ -292,11 +292,6 @@ impl<T: Real> Demand<'_, T> {
         Some(KnownContact { geometry, contact, law, yaw_rates: [T::ZERO; 2], vehicles })
     }
 
-    fn refuse(&mut self, key: String, reason: String, advice: &str) {
-        let kind = FaultKind::Refused { reason };
-        self.faults.push(Fault { key, kind, advice: Some(advice.to_owned()) });
-    }
-
     /// (m) a place in the axes of the engine.
     pub(super) fn place(&self, place: &Place<T>) -> Vector2<T> {
         Vector2::new(place.x.si(), self.lateral(&place.y))
@@ -530,8 +525,8 @@ impl<T: Real> Demand<'_, T> {
             let unit = given.unit();
             let [ahead, wheelbase] = [cg_to_front, wheelbase].map(|length| length.value() / unit.factor());
             self.refuse(
-                format!("{table}.cg_to_front_axle"),
-                format!(
+                format_args!("{table}.cg_to_front_axle"),
+                format_args!(
                     "the front axle lies {ahead:.2} {unit} ahead of the CG, but the wheelbase is only {wheelbase:.2} {unit}"
                 ),
                 "measure both from the front axle: the CG lies between the axles",
@@ -593,7 +588,7 @@ impl<T: Real> Demand<'_, T> {
                 };
                 self.refuse(
                     key(index),
-                    format!("this place is {:.1} mm from {of}, so there is no path", 1000.0 * distance),
+                    format_args!("this place is {:.1} mm from {of}, so there is no path", 1000.0 * distance),
                     "give the places of the CG in the coordinates of [scene] contact; a vehicle that did not move has no speed to be found \
                      from its rest",
                 );
@@ -607,7 +602,7 @@ impl<T: Real> Demand<'_, T> {
             if let Some(turn) = turn.filter(|turn| turn.abs() > FRAC_PI_2) {
                 self.refuse(
                     key(index),
-                    format!(
+                    format_args!(
                         "the path turns back: to get here it turns by {:.0}° at the place before",
                         turn.abs().to_degrees()
                     ),
@@ -674,8 +669,8 @@ impl<T: Real> Demand<'_, T> {
                     if length.value().is_nan() || length.value() < LEAST_PATH =>
                 {
                     self.refuse(
-                        format!("{}.before.skid.from", table(id)),
-                        format!(
+                        format_args!("{}.before.skid.from", table(id)),
+                        format_args!(
                             "the skid begins {:.1} mm from the place of the CG at the impact, so it has no length",
                             1000.0 * length.value()
                         ),
