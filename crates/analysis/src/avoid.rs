@@ -304,9 +304,9 @@ fn found(
         (_, Some(told)) => told.from,
     };
     let other = told.as_ref().and_then(|told| told.other);
-    // Where nothing else tells the speed of a vehicle on the same line, its own recorder does.
-    let by_recorder = form.same_line.as_ref().filter(|line| line.motion.speed.is_none() && other.is_none());
-    let by_recorder = by_recorder.and_then(|_| RecordedSpeed::of(case, form.vehicle.other()));
+    // Where nothing else tells the speed of the other vehicle, its own recorder does.
+    let lacks_other = form.lacks_other_speed() && other.is_none();
+    let by_recorder = if lacks_other { RecordedSpeed::of(case, form.vehicle.other()) } else { None };
     let other = other.or_else(|| Some(by_recorder.as_ref()?.quantile(0.5)));
     let sought = SoughtSpeeds { subject: told.as_ref().map(|told| told.speed), other };
     let needs_other = form.clear.as_ref().is_some_and(|clear| matches!(clear.speed, ClearSpeedForm::Sought));
@@ -317,7 +317,8 @@ fn found(
     let outlines: Vec<_> = hidden_by.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
     let ways_of = |sight: &SightForm| {
-        scene::response(form).map_err(Unposed::from).and_then(|response| Ways::of(sight, &response))
+        let response = scene::response(form)?;
+        Ways::of(sight, sought.other, &response)
     };
     let ways = form.sight.as_ref().map(ways_of).transpose().map_err(|refusal| unposed(form, refusal))?;
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
@@ -811,6 +812,11 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
             ),
             format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
+        ),
+        Unposed::OtherUnknown => (
+            "avoid.sight.other_speed".to_owned(),
+            "nothing tells how fast the other party moves".to_owned(),
+            "give `other_speed` in [avoid.sight], as in other_speed = \"1.5 m/s\"".to_owned(),
         ),
         Unposed::OtherStands => (
             "avoid.clear".to_owned(),

@@ -506,6 +506,64 @@ fn the_other_vehicle_comes_into_sight_as_its_phases_or_its_skid_tell() {
     }
 }
 
+/// The same house, 4 m aside, and another vehicle that came with a steady 10 m/s: 10 t − 1.5 = 4. Its recorder
+/// tells that alone, with its error, or the other vehicle's speed is to be found, too.
+#[test]
+fn the_speed_of_the_other_in_sight_is_that_of_its_recorder_or_of_the_evidence() {
+    let text = |before: &str| {
+        format!(
+            r#"
+            {before}
+            [avoid]
+            vehicle = "vehicle1"
+            unbraked = true
+            limit = "50 km/h"
+            reaction_time = "1 s"
+            deceleration = "7 m/s^2"
+            demand = {{ time = "2 s" }}
+            [[avoid.obstacle]]
+            polygon = [{{ x = "-3 m", y = "-4 m" }}, {{ x = "-300 m", y = "-4 m" }}, {{ x = "-300 m", y = "-300 m" }}, {{ x = "-3 m", y = "-300 m" }}]
+            "#
+        )
+    };
+    let recorded = r#"
+        [vehicle1]
+        speed = "20 m/s"
+        heading = "0 deg"
+        [vehicle2]
+        heading = "90 deg"
+        recorder.pre_crash = { time = "-2 -1.5 -1 -0.5 0 s", speed = "36 36 36 36 36 km/h" }
+        "#;
+    let found = asked(&text(recorded));
+    let sight = free(&found);
+    assert!((sight.time - 0.55).abs() < 0.02, "{sight:?}");
+    let interval = found.chance.unwrap().sight.unwrap().time;
+    assert!(
+        interval.low < 0.55 && interval.high > 0.55 && interval.high - interval.low > 0.01,
+        "{interval:?}"
+    );
+    // Cars that stuck together: both speeds by momentum, 20 m/s along x and 10 m/s along y.
+    let sought = r#"
+        [scene]
+        locked_together = true
+        [vehicle1]
+        mass = "1500 kg"
+        yaw_radius = "1.4 m"
+        heading = "0 deg"
+        contact = { x = "2 m", y = "0 m" }
+        after = { speed = "11.180339887498949 m/s", direction = "26.565051177077989 deg", yaw_rate = "0 deg/s" }
+        [vehicle2]
+        mass = "1500 kg"
+        yaw_radius = "1.4 m"
+        heading = "90 deg"
+        contact = { x = "0 m", y = "0.9 m" }
+        [reconstruct]
+        find = ["vehicle1.speed", "vehicle2.speed"]
+        "#;
+    let sight = free(&asked(&text(sought)));
+    assert!((sight.time - 0.55).abs() < 1e-9, "{sight:?}");
+}
+
 /// A driver who brakes as soon as the view is free reaches the place later than without: found by stepping
 /// the demand back until the line passes the corner.
 #[test]

@@ -1212,7 +1212,7 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
             "other_speed",
             "other_speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
             Form::Sourced(Dimension::Speed, NOT_NEGATIVE),
-            "How fast the other party moves, at constant speed. That of `other` in `demand`, of `clear` or of the other vehicle if left out; the other vehicle then moves as its phases, skid or recorder tell.",
+            "How fast the other party moves, at constant speed. That of `other` in `demand`, of `clear` or of the other vehicle if left out; that vehicle then moves as its phases, skid or recorder tell.",
         ),
     ],
     rules: &[Rule::NeverIf(Has("path"), &["heading"]), Rule::NeverIf(Has("other_path"), &["other_heading"])],

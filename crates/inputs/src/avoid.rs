@@ -254,6 +254,17 @@ pub struct OtherMotionForm<T = f64> {
     pub braking: BrakingForm<T>,
 }
 
+impl OtherMotionForm {
+    /// (m/s) the speed at the impact, with that which the rest of the case tells; `None` if it is not known. 0
+    /// stands for phases that begin with a known speed, as they lead to that at the impact.
+    #[must_use]
+    pub fn speed_at_impact(&self, sought: Option<f64>) -> Option<f64> {
+        // A solution that lets it move backward says that it stood; a speed that is given says what it says.
+        let known = self.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
+        known.or(self.braking.leads_on().then_some(0.0))
+    }
+}
+
 impl<T: Copy> OtherMotionForm<T> {
     fn map<U>(&self, number: &mut impl FnMut(T) -> U) -> OtherMotionForm<U> {
         OtherMotionForm {
@@ -404,6 +415,14 @@ impl<T> AvoidForm<T> {
         let sight = self.sight.as_ref().map(|sight| &sight.other.braking);
         let mut ways = std::iter::once(&self.braking).chain(line).chain(sight);
         ways.any(|way| matches!(way, BrakingForm::Recorded { .. }))
+    }
+
+    /// Whether the speed of the other vehicle at the impact is needed, and the numbers do not tell it.
+    #[must_use]
+    pub fn lacks_other_speed(&self) -> bool {
+        let line = self.same_line.as_ref().map(|line| &line.motion);
+        let sight = self.sight.as_ref().map(|sight| &sight.other);
+        line.into_iter().chain(sight).any(|motion| motion.speed.is_none())
     }
 
     /// By how many standard deviations the recorded speeds of the vehicle err, and those of the other.

@@ -50,6 +50,8 @@ pub(crate) enum Unposed {
     Stands,
     /// The other vehicle did not move forward, so that it never clears the danger zone.
     OtherStands,
+    /// Nothing tells how fast the other party moves, which the sight depends on.
+    OtherUnknown,
     /// Obstacles hide nothing before the impact, so that their end is no demand.
     NeverHidden,
     /// An obstacle hides the other party at the impact.

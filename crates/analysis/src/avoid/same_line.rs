@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use inputs::{Along, BrakingForm, Quantity, SameLineForm};
+use inputs::{Along, BrakingForm, SameLineForm};
 use time_distance::{Course, Gap, Leg, Response, first_contact, least_gap};
 
 use super::driven::{Approach, Driven};
@@ -46,10 +46,7 @@ impl SameLine {
         response: &Response,
         [distance, time]: [f64; 2],
     ) -> Result<Option<Self>, Unposed> {
-        // A solution that lets it move backwards says that it stood; a speed that is given says what it says.
-        let known = form.motion.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
-        // Phases that begin with a known speed lead to that at the impact.
-        let Some(speed) = known.or(form.motion.braking.leads_on().then_some(0.0)) else { return Ok(None) };
+        let Some(speed) = form.motion.speed_at_impact(sought) else { return Ok(None) };
         if speed == 0.0 && matches!(form.motion.braking, BrakingForm::Unknown) {
             return Ok(None);
         }

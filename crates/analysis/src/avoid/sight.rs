@@ -1,6 +1,6 @@
 //! Since when the driver could see the other party.
 
-use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, Quantity, SightForm, SpeedForm};
+use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, SightForm, SpeedForm};
 use pim_core::Vector2;
 use real::Real;
 use time_distance::{Leg, Response, first_sight, free_since, sees};
@@ -107,9 +107,10 @@ pub(crate) struct Ways {
 }
 
 impl Ways {
-    /// The brakes of the other party build up as those of the response do.
-    pub(crate) fn of(form: &SightForm, response: &Response) -> Result<Self, Unposed> {
-        let speed = form.other.speed.as_ref().map_or(0.0, Quantity::si);
+    /// With the speed of the other vehicle at the impact (m/s), where the rest of the case tells that. Its
+    /// brakes build up as those of the response do.
+    pub(crate) fn of(form: &SightForm, sought: Option<f64>, response: &Response) -> Result<Self, Unposed> {
+        let speed = form.other.speed_at_impact(sought).ok_or(Unposed::OtherUnknown)?;
         // The phases of one that backs are those of that way.
         let sign = if speed < 0.0 { -1.0 } else { 1.0 };
         let mut approach =
@@ -210,7 +211,7 @@ pub(super) fn pose(
     obstacles: Outlines<'_>,
 ) -> Result<AvoidScene, Unposed> {
     let response = response(form)?;
-    let ways = form.sight.as_ref().map(|sight| Ways::of(sight, &response)).transpose()?;
+    let ways = form.sight.as_ref().map(|sight| Ways::of(sight, sought.other, &response)).transpose()?;
     let (since, of_sight) = match (given_demand(form)?, &ways) {
         (Some(since), _) => (since, None),
         (None, None) => return Err(Unposed::NeverHidden),

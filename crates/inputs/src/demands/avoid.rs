@@ -94,14 +94,15 @@ impl Case {
         // A speed at the demand takes the place of the vehicle's own table.
         let has_own = self.avoid.as_ref().is_none_or(|avoid| avoid.speed.is_some());
         let own = if has_own { None } else { recorded(subject) };
-        let along = self.other_along();
-        let on_line = along.map(|_| subject.other());
-        let is_recorded = on_line.filter(|other| self.known_speed(*other).is_none()).is_some_and(|other| {
-            let ground = self.surface.as_ref().map(|surface| surface.friction);
-            let recorder = self.vehicles[other.index()].recorder.as_ref();
-            recorder.is_some_and(|recorder| recorder.tells_speed(ground).is_some())
-        });
-        AvoidBasis { recorded: [own, recorded(subject.other())], is_recorded, along }
+        let other = subject.other();
+        let ground = self.surface.as_ref().map(|surface| surface.friction);
+        let recorder = self.vehicles[other.index()].recorder.as_ref();
+        let tells_speed = recorder.is_some_and(|recorder| recorder.tells_speed(ground).is_some());
+        AvoidBasis {
+            recorded: [own, recorded(other)],
+            is_recorded: tells_speed && self.known_speed(other).is_none(),
+            along: self.other_along(),
+        }
     }
 
     /// How the other vehicle moved along the line of the one that is asked about, if their headings say that
@@ -184,18 +185,24 @@ impl<T: Copy + From<f64>> Case<T> {
         })
     }
 
-    /// How the other vehicle came, if it did so along the same line; `None` if its speed or a number of its
-    /// braking is not known.
+    /// How the other vehicle came, if it did so along the same line.
     fn same_line_form(&self, basis: &AvoidBasis) -> Option<SameLineForm<T>> {
+        Some(SameLineForm { along: basis.along?, motion: self.vehicle_motion(basis)? })
+    }
+
+    /// How the other vehicle came, by its table; `None` if its speed or a number of its braking is not known.
+    fn vehicle_motion(&self, basis: &AvoidBasis) -> Option<OtherMotionForm<T>> {
         let other = self.avoid_subject().other();
         let of_other = &self.vehicles[other.index()];
-        let along = basis.along.filter(|_| !of_other.fixed && !of_other.is_absent())?;
+        if of_other.fixed || of_other.is_absent() {
+            return None;
+        }
         let [_, recorded] = &basis.recorded;
         let speed = self.known_speed(other).copied();
         let braking = self.braking_form(other, recorded)?;
         let is_sought = matches!(self.avoid_speed(), SpeedForm::Sought);
         let is_told = speed.is_some() || is_sought || basis.is_recorded || braking.leads_on();
-        is_told.then_some(SameLineForm { along, motion: OtherMotionForm { speed, braking } })
+        is_told.then_some(OtherMotionForm { speed, braking })
     }
 
     /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.
@@ -247,7 +254,7 @@ impl<T: Copy + From<f64>> Case<T> {
             path: path?,
             point: point?,
             other_path: other_path?,
-            other: self.other_motion(avoid, &basis.recorded)?,
+            other: self.other_motion(avoid, basis)?,
         })
     }
 
@@ -273,24 +280,16 @@ impl<T: Copy + From<f64>> Case<T> {
     }
 
     /// How the other party moves: at the constant speed that `[avoid]` gives, or as its table tells.
-    fn other_motion(
-        &self,
-        avoid: &Avoid<T>,
-        [_, recorded]: &[Option<Arc<SampledApproach>>; 2],
-    ) -> Option<OtherMotionForm<T>> {
+    fn other_motion(&self, avoid: &Avoid<T>, basis: &AvoidBasis) -> Option<OtherMotionForm<T>> {
         // Who starts from a stop has no one speed.
         let of_demand = match &avoid.demand {
             Some(GivenDemand::Other(other)) if other.acceleration.is_none() => other.speed.as_ref(),
             _ => None,
         };
         let of_clear = avoid.clear.as_ref().and_then(|clear| clear.speed.as_ref());
-        if let Some(given) = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear) {
-            return Some(OtherMotionForm { speed: Some(given.quantity), braking: BrakingForm::Unknown });
-        }
-        let other = self.avoid_subject().other();
-        let speed = self.known_speed(other).copied();
-        let braking = self.braking_form(other, recorded)?;
-        (speed.is_some() || braking.leads_on()).then_some(OtherMotionForm { speed, braking })
+        let given = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear);
+        let steady = |speed| OtherMotionForm { speed: Some(speed), braking: BrakingForm::Unknown };
+        given.map(|given| steady(given.quantity)).or_else(|| self.vehicle_motion(basis))
     }
 }
 
@@ -507,7 +506,7 @@ impl Demand<'_, f64> {
         let [eye, point] = self.case.sight_places(avoid);
         let [path, other_path] = self.case.sight_paths(avoid);
         let basis = self.case.avoid_basis();
-        let motion = self.case.other_motion(avoid, &basis.recorded);
+        let motion = self.case.other_motion(avoid, &basis);
         if let Some(form) = self.case.sight_form(avoid, &basis) {
             for (key, end, place, path) in [
                 ("avoid.sight.path", "eye", &form.eye, &form.path),

@@ -690,7 +690,8 @@ fn ways(case: &Case) -> String {
         (BrakingForm::Skid { .. }, _) => "as its skid marks tell".to_owned(),
         (BrakingForm::Recorded { .. }, _) => "as its recorder tells".to_owned(),
         (BrakingForm::Unknown | BrakingForm::Unbraked, speed) => {
-            speed.map_or_else(String::new, |speed| format!("at a constant {speed}"))
+            let known = |speed| format!("at a constant {speed}");
+            speed.map_or_else(|| "at the speed that the evidence tells".to_owned(), known)
         }
     };
     format!(
