@@ -447,7 +447,6 @@ fn law_in_words(law: &str, is_default: bool) -> String {
 
 fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
     let owners: Vec<String> = owners.iter().map(|owner| format!("\"{owner}\"")).collect();
-    let owners: Vec<&str> = owners.iter().map(String::as_str).collect();
     let help = format!("law = \"{law}\" uses {keys}; {key} belongs to law = {}", join(&owners, "or"));
     // A separate key under another law is a form of `tangential` under Brach's.
     if law == LawName::Brach.name() && TANGENTIAL.has(key) {

@@ -96,11 +96,8 @@ impl Diagnostic {
 
     fn line_and_column(&self, source: &Source) -> Option<[usize; 2]> {
         let span = self.span.as_ref().filter(|_| source.is_text())?;
-        let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
-        let line = before.rsplit('\n').next().unwrap_or_default();
-        // A byte order mark does not count as a column.
-        let column = line.trim_start_matches('\u{feff}').chars().count() + 1;
-        Some([before.matches('\n').count() + 1, column])
+        let (line, before) = line_before(source.text(), span.start);
+        Some([line, before.chars().count() + 1])
     }
 
     fn handed_on(&self, source: &Source, program: &Program) -> PlainDiagnostic {
@@ -125,21 +122,14 @@ impl Diagnostic {
             let key = source.key_at(span).map_or_else(String::new, |key| format!(", {key}"));
             return Origin::path(format!("{name}{key}")).into();
         }
-        let start = floor_char_boundary(text, span.start);
-        let end = floor_char_boundary(text, span.end.max(start));
-        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        // A byte order mark does not count as a column.
-        let line_start = if text[line_start..start].starts_with('\u{feff}') {
-            line_start + '\u{feff}'.len_utf8()
-        } else {
-            line_start
-        };
+        let start = text.floor_char_boundary(span.start);
+        let end = text.floor_char_boundary(span.end.max(start));
+        let (number, before) = line_before(text, start);
+        let line_start = start - before.len();
         let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
         let line = text[line_start..line_end].trim_end_matches('\r');
-        let number = text[..line_start].matches('\n').count() + 1;
         if line.len() > LONGEST_LINE {
-            let column = text[line_start..start].chars().count() + 1;
-            return Origin::path(name).line(number).char_column(column).into();
+            return Origin::path(name).line(number).char_column(before.chars().count() + 1).into();
         }
         let from = (start - line_start).min(line.len());
         let to = (end - line_start).clamp(from, line.len());
@@ -158,9 +148,12 @@ fn on_one_line(text: &str) -> String {
     shown(&text.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }
 
-fn floor_char_boundary(text: &str, index: usize) -> usize {
-    let index = index.min(text.len());
-    (0..=index).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+/// The number of the line of a place in bytes, and what stands there before it. A byte order mark does not
+/// count.
+fn line_before(text: &str, at: usize) -> (usize, &str) {
+    let before = &text[..text.floor_char_boundary(at)];
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    (before.matches('\n').count() + 1, line.trim_start_matches('\u{feff}'))
 }
 
 /// All problems of a case file, in the order of the text. Its `Display` is meant for the user.

@@ -391,10 +391,9 @@ impl<'t> Editor<'t> {
         let last = way[depth].name.unwrap_or_default();
         let rank = |path: &[Step]| -> Option<Vec<usize>> {
             let way = crate::keys::way(&written(path))?;
-            Some(way.iter().map(|way| if way.name.is_some() { way.rank } else { way.element }).collect())
+            Some(way.iter().map(|way| way.rank).collect())
         };
-        let own: Vec<usize> =
-            way[..depth].iter().map(|way| if way.name.is_some() { way.rank } else { way.element }).collect();
+        let own: Vec<usize> = way[..depth].iter().map(|way| way.rank).collect();
         let sections = self.layout.containers.iter().filter(|one| one.kind == Kind::Section);
         let before_it = sections.filter(|section| rank(&section.path).is_some_and(|other| other < own));
         let place = before_it.max_by_key(|section| (rank(&section.path), section.span.start));

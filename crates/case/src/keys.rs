@@ -39,7 +39,7 @@ pub(crate) struct Way {
     pub(crate) name: Option<&'static str>,
     /// The index of an element, from 0.
     pub(crate) element: usize,
-    /// The position among the keys of its table.
+    /// The position among the keys of its table or the elements of its list.
     pub(crate) rank: usize,
     /// Whether it is a table that has a header.
     pub(crate) has_header: bool,

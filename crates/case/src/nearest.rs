@@ -1,5 +1,7 @@
 //! Finds the known word that a misspelt one was meant to be.
 
+use std::borrow::Borrow;
+
 /// (bytes) longer words cannot be misspellings of known ones, and are not compared.
 pub(crate) const LONGEST: usize = 64;
 
@@ -50,10 +52,10 @@ pub fn nearest_names<'a>(word: &str, candidates: impl IntoIterator<Item = &'a st
 }
 
 /// A list within a sentence: "a", "a and b", "a, b and c".
-pub(crate) fn join(words: &[&str], last: &str) -> String {
+pub(crate) fn join<S: Borrow<str>>(words: &[S], last: &str) -> String {
     match words {
         [] => String::new(),
-        [only] => (*only).to_owned(),
-        [head @ .., tail] => format!("{} {last} {tail}", head.join(", ")),
+        [only] => only.borrow().to_owned(),
+        [head @ .., tail] => format!("{} {last} {}", head.join(", "), tail.borrow()),
     }
 }

@@ -229,7 +229,7 @@ impl QuantityError {
         let examples = |number: &str, dimension: &Dimension| {
             let units = unit.map_or_else(|| usual_units(*dimension), |unit| vec![unit]);
             let examples: Vec<String> = units.iter().map(|unit| format!("\"{number} {unit}\"")).collect();
-            join(&examples.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+            join(&examples, "or")
         };
         match self {
             Self::Empty { dimension } => {

@@ -252,7 +252,7 @@ impl<'t> Line<'t> {
     fn at(text: &'t str, at: usize, error: ParserError<'t>) -> Self {
         // (bytes) a longer line is not a typing error.
         const LONGEST: usize = 2000;
-        let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
+        let at = text.floor_char_boundary(at);
         let (start, end) = bounds_of_line(text, at);
         let whole = if end - start > LONGEST { "" } else { &text[start..end] };
         let line = without_comment(whole).trim_end();

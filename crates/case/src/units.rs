@@ -30,14 +30,12 @@ pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
     if text.len() > LONGEST {
         return None;
     }
-    let written =
-        |text: &str| dimension.units().iter().find(|unit| unit.spellings().any(|known| known == text));
     // Nearly every unit of a file is written as in the table.
-    if let Some(unit) = written(text) {
+    if let Some(unit) = dimension.unit(text) {
         return Some(unit);
     }
     let wanted = normalise(text, Pound::AsWritten);
-    if let Some(unit) = written(&wanted) {
+    if let Some(unit) = dimension.unit(&wanted) {
         return Some(unit);
     }
     let of_force = has_pound_force(&wanted).then(|| normalise(text, Pound::Force));

@@ -221,17 +221,15 @@ impl<'a, T: Real> Demand<'a, T> {
         }
     }
 
-    fn finish<V>(mut self, value: Option<V>) -> Result<V, Faults> {
+    fn finish<V>(self, value: Option<V>) -> Result<V, Faults> {
         // Impact and motion may lack the same.
-        let mut told: Vec<(String, FaultKind)> = Vec::new();
-        self.faults.retain(|fault| {
-            let is_new = !told.iter().any(|(key, kind)| *key == fault.key && *kind == fault.kind);
-            if is_new {
-                told.push((fault.key.clone(), fault.kind.clone()));
+        let mut faults: Vec<Fault> = Vec::new();
+        for fault in self.faults {
+            if !faults.iter().any(|told| told.key == fault.key && told.kind == fault.kind) {
+                faults.push(fault);
             }
-            is_new
-        });
-        Faults::none_of(self.faults)?;
+        }
+        Faults::none_of(faults)?;
         // A missing value has been reported above, so there is one here.
         value.ok_or_else(|| {
             let reason = "the case cannot be analysed".to_owned();

@@ -118,7 +118,7 @@ pub use recorded::{
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use shared::SharedEffects;
 pub use text::{Text, acts, shown, shown_lines, sign};
-pub use uncertain::{GivenUncertainty, SharedError};
+pub use uncertain::{GivenUncertainty, SharedError, list_of};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Outline, VehicleKind, Velocity};
 pub use walk::{GivenValue, Input, Origin, Variable};

@@ -111,9 +111,7 @@ impl<U> Walk<'_, U> {
         self.text(&"scene.site_plan.file", Some(&plan.file));
         self.exact_place(&"scene.site_plan.corner", &plan.corner);
         self.exact(&"scene.site_plan.width", &plan.width);
-        if let Some(angle) = &plan.angle {
-            self.exact(&"scene.site_plan.angle", angle);
-        }
+        self.exact_if(&"scene.site_plan.angle", plan.angle.as_ref());
         plan.clone()
     }
 

@@ -1,6 +1,5 @@
 //! The uncertainty of a case besides the ranges: the table `[uncertainty]`.
 
-use crate::quantity::format_number;
 use crate::range::Spread;
 use crate::units::Unit;
 use crate::walk::{Element, GivenValue, Input, Key, Origin, Walk};
@@ -49,8 +48,9 @@ impl SharedError {
 }
 
 /// The key of the list of which a path is an element.
-pub(crate) fn list_of(path: &str) -> Option<&str> {
-    path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map(|(list, _)| list)
+#[must_use]
+pub fn list_of(path: &str) -> Option<&str> {
+    Some(path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
 impl<U> Walk<'_, U> {
@@ -72,8 +72,7 @@ impl<U> Walk<'_, U> {
                     self.other(&Key(table, "sd"), || GivenValue::Number { number: sd.number, unit: sd.unit });
                 }
                 Spread::Within { percent, confidence } => {
-                    let percent = || GivenValue::Text(format!("{} %", format_number(percent)));
-                    self.other(&Key(table, "within"), percent);
+                    self.percent_if(&Key(table, "within"), Some(percent));
                     let confidence = || GivenValue::Number { number: confidence, unit: None };
                     self.other(&Key(table, "confidence"), confidence);
                 }

@@ -37,7 +37,7 @@ impl<'t> Reader<'t> {
         } else {
             None
         };
-        let friction = if reads("friction") { self.friction(table) } else { None };
+        let friction = if reads("friction") { self.number(table, "friction") } else { None };
         Some(match law? {
             LawName::Brach => {
                 ImpactLaw::Brach { restitution: restitution?, tangential: tangential?, moment_restitution }
@@ -121,10 +121,6 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn friction(&mut self, table: &Table<'t>) -> Option<f64> {
-        self.number(table, "friction")
-    }
-
     fn tangential(&mut self, impact: &Table<'t>) -> Option<BrachTangential> {
         const FORMS: &str =
             "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
@@ -136,7 +132,7 @@ impl<'t> Reader<'t> {
         match table.given(&["ratio", "fraction", "friction"])[..] {
             ["ratio"] => self.number(&table, "ratio").map(BrachTangential::Ratio),
             ["fraction"] => self.number(&table, "fraction").map(BrachTangential::FractionOfCritical),
-            ["friction"] => self.friction(&table).map(BrachTangential::Friction),
+            ["friction"] => self.number(&table, "friction").map(BrachTangential::Friction),
             _ => self.no_form(&table, FORMS),
         }
     }

@@ -6,7 +6,7 @@ use super::tree::{Reader, Table, kind};
 use crate::case_problem::CaseProblem;
 use crate::nearest::{join, nearest};
 use crate::schema::{MOST_ZONES, SHARED};
-use inputs::{Case, Dimension, GivenUncertainty, Input, SharedError, Spread, Unit};
+use inputs::{Case, Dimension, GivenUncertainty, Input, SharedError, Spread, Unit, list_of};
 
 const SIZES: &str = "`sd = \"1 cm\"`, or `within = \"5 %\"` and `confidence = 0.95`";
 const ERRORS: &str = "shared = [{ name = \"tape\", of = [\"vehicle1.crush.depths\", \"vehicle1.crush.width\"], sd = \"1 cm\" }]";
@@ -41,7 +41,6 @@ impl<'t> Reader<'t> {
                     .to_owned()
             } else {
                 let quoted: Vec<String> = known.iter().map(|key| format!("\"{key}\"")).collect();
-                let quoted: Vec<&str> = quoted.iter().map(String::as_str).collect();
                 format!(
                     "in this case, {} can be listed; any other number is exact unless it is a range",
                     join(&quoted, "and")
@@ -115,7 +114,7 @@ impl<'t> Reader<'t> {
             if unit_of(key, inputs).is_some() {
                 continue;
             }
-            let candidates = inputs.iter().map(|input| list_of(&input.path));
+            let candidates = inputs.iter().map(|input| list_of(&input.path).unwrap_or(&input.path));
             let help = nearest(key, candidates).map_or_else(
                 || "give the key of a number of this file, such as \"vehicle1.crush.depths\"".to_owned(),
                 |near| format!("did you mean \"{near}\"?"),
@@ -180,12 +179,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The key of the list of which a path is an element, or the path itself.
-fn list_of(path: &str) -> &str {
-    path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map_or(path, |(list, _)| list)
-}
-
 /// The unit of the number of a key, or of the first of a list; `None` if there is no such number.
 fn unit_of(key: &str, inputs: &[Input]) -> Option<Option<&'static Unit>> {
-    inputs.iter().find(|input| input.path == key || list_of(&input.path) == key).map(|input| input.unit)
+    inputs.iter().find(|input| input.path == key || list_of(&input.path) == Some(key)).map(|input| input.unit)
 }

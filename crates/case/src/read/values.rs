@@ -480,7 +480,6 @@ impl<'t> Reader<'t> {
         choices: &[(&'static str, T)],
     ) -> Option<T> {
         let quoted: Vec<String> = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect();
-        let quoted: Vec<&str> = quoted.iter().map(String::as_str).collect();
         self.choice_among(table, key, choices, &join(&quoted, "or"))
     }
 

@@ -491,15 +491,11 @@ impl<T: Real> Demand<'_, T> {
     /// Given values take precedence over those of the class.
     fn axles(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<Axles<T>> {
         let table = table(id);
-        let of_class =
-            if vehicle.kind.unwrap_or_default() == VehicleKind::Car { self.class(id, vehicle) } else { None };
+        let is_car = vehicle.kind.unwrap_or_default() == VehicleKind::Car;
+        let of_class = if is_car { self.class(id, vehicle) } else { None };
         let class = of_class.map(|(_, class)| class);
         let given = |quantity: &Option<Quantity<T>>| quantity.as_ref().map(Quantity::si);
-        let or_class = if vehicle.kind.unwrap_or_default() == VehicleKind::Car {
-            ", or CRASH3's size class, `class = 3`"
-        } else {
-            ""
-        };
+        let or_class = if is_car { ", or CRASH3's size class, `class = 3`" } else { "" };
         let wheelbase = given(&vehicle.wheelbase).or(class.map(|class| T::from(class.wheelbase)));
         let wheelbase = self.given(
             wheelbase,
