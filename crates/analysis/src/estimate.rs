@@ -16,11 +16,11 @@ use std::ops::ControlFlow;
 use ::estimate::{Culprit, DrawnQuantity, DrawsSummary, NoDraws, Posterior, SamplerDoubt, Verdict, Weights};
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, TestedClass};
-use inputs::{Case, SeverityPrior, Unit};
+use inputs::{Case, SeverityPrior, Unit, table};
 use pim_core::VehicleId;
 
 use crate::aside;
-use crate::excluded::{Impossible, key, table};
+use crate::excluded::{Impossible, key};
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};

@@ -2,6 +2,7 @@
 
 use ::estimate::Exclusion;
 use evidence::Piece;
+use inputs::table;
 use pim_core::VehicleId;
 
 /// The evidence that excludes every collision that is possible before it.
@@ -56,13 +57,5 @@ pub(crate) fn key(piece: Piece) -> String {
         Piece::RecordedYawRate(id) => of(id, "recorder.yaw_rate"),
         Piece::SkidSpeed(id) => of(id, "before.speed"),
         Piece::Limits(id) => of(id, "certain_speed"),
-    }
-}
-
-/// The key of a table of a vehicle.
-pub(crate) fn table(id: VehicleId) -> &'static str {
-    match id {
-        VehicleId::One => "vehicle1",
-        VehicleId::Two => "vehicle2",
     }
 }

@@ -157,8 +157,9 @@ impl Case {
     }
 }
 
-/// The table of a vehicle.
-fn table(id: VehicleId) -> &'static str {
+/// The key of the table of a vehicle.
+#[must_use]
+pub fn table(id: VehicleId) -> &'static str {
     match id {
         VehicleId::One => "vehicle1",
         VehicleId::Two => "vehicle2",

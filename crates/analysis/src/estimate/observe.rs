@@ -7,12 +7,11 @@ mod skid;
 
 use ::uncertainty::Shape;
 use evidence::{DamagedSide, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
-use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior};
+use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior, table};
 use pim_core::VehicleId;
 
 use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
-use crate::excluded::table;
 use crate::uncertainty::UncertainInput;
 
 pub(super) use damage::{Crushed, damage, energies, is_with_object, reference};

@@ -8,7 +8,7 @@ use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     Amount, Bounds, BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find,
     GivenVehicle, ImpactLaw, Input, MotionInput, Origin, Purpose, Quantity, Range, Reconstruct, Restitution,
-    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, VehicleKind, Velocity, YawForm,
+    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, VehicleKind, Velocity, YawForm, table,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -20,7 +20,6 @@ use super::observe::{Crushed, Scene, damage, energies, is_with_object, observe, 
 use super::of_number;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
-use crate::excluded::table;
 use crate::failure::Failure;
 use crate::given::{certain_limits, speed_limits, with_sideslip};
 use crate::recorded::{RecordsOfImpact, with_records_of_impact};

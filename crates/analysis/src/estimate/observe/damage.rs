@@ -4,14 +4,13 @@ use crash3::Side;
 use evidence::{
     Behind, CodedPdof, CrushErrors, CrushFigures, DamagedSide, EnergyError, EnergyMethod, FITTED,
 };
-use inputs::{Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData};
+use inputs::{Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData, table};
 use pim_core::VehicleId;
 use real::Real;
 
 use super::{DEGREE, Subject};
 use crate::damage::assess;
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
-use crate::excluded::table;
 use crate::uncertainty::UncertainInput;
 
 /// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
