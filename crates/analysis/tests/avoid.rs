@@ -506,8 +506,8 @@ fn the_other_vehicle_comes_into_sight_as_its_phases_or_its_skid_tell() {
     }
 }
 
-/// The same house, 4 m aside, and another vehicle that came with a steady 10 m/s: 10 t − 1.5 = 4. Its recorder
-/// tells that alone, with its error, or the other vehicle's speed is to be found, too.
+/// The same house, 4 m aside, and another vehicle that came with a steady 10 m/s: 10 t − 1.5 = 4. Its
+/// recorder tells that alone, with its error, or the other vehicle's speed is to be found, too.
 #[test]
 fn the_speed_of_the_other_in_sight_is_that_of_its_recorder_or_of_the_evidence() {
     let text = |before: &str| {

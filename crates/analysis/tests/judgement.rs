@@ -115,8 +115,8 @@ fn a_case_runs_what_it_has_all_for() {
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
 }
 
-/// By hand: a skid of 20 m at 5 m/s² that ends with 10 m/s takes (√300 − 10)/5 = 1.46 s, and so began before a
-/// demand 1 s before the impact, and not before one at 2 s.
+/// By hand: a skid of 20 m at 5 m/s² that ends with 10 m/s takes (√300 − 10)/5 = 1.46 s, and so began before
+/// a demand 1 s before the impact, and not before one at 2 s.
 #[test]
 fn a_demand_after_the_braking_is_told_without_solving() {
     let text = |demand: f64| {

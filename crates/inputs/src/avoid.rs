@@ -113,14 +113,14 @@ pub enum ReactionDemand<N> {
     /// (s) time before the impact.
     Time(N),
     /// The time that the other party took to the impact.
-    Other(Approach<N>),
+    Other(PartyApproach<N>),
     /// Since when no obstacle has hidden the other party.
     Sight,
 }
 
 /// How the other party came to the impact: at constant speed, or from a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Approach<N> {
+pub struct PartyApproach<N> {
     /// (m) its distance to the place of the impact.
     pub distance: N,
     /// (m/s) its speed; with an acceleration, the speed that it then kept.
@@ -133,10 +133,10 @@ pub struct Approach<N> {
 pub type GivenDemand<T = f64> = ReactionDemand<Sourced<T>>;
 /// A [`ReactionDemand`] without the sources of its numbers.
 pub type DemandForm<T = f64> = ReactionDemand<Quantity<T>>;
-/// An [`Approach`] as given.
-pub type OtherApproach<T = f64> = Approach<Sourced<T>>;
-/// An [`Approach`] without the sources of its numbers.
-pub type OtherForm<T = f64> = Approach<Quantity<T>>;
+/// An [`PartyApproach`] as given.
+pub type OtherApproach<T = f64> = PartyApproach<Sourced<T>>;
+/// An [`PartyApproach`] without the sources of its numbers.
+pub type OtherForm<T = f64> = PartyApproach<Quantity<T>>;
 
 impl<N> ReactionDemand<N> {
     /// The same with other numbers, which come with their keys.
@@ -144,11 +144,13 @@ impl<N> ReactionDemand<N> {
         match self {
             Self::Distance(distance) => ReactionDemand::Distance(of("distance", distance)),
             Self::Time(time) => ReactionDemand::Time(of("time", time)),
-            Self::Other(Approach { distance, speed, acceleration }) => ReactionDemand::Other(Approach {
-                distance: of("other.distance", distance),
-                speed: speed.as_ref().map(|speed| of("other.speed", speed)),
-                acceleration: acceleration.as_ref().map(|number| of("other.acceleration", number)),
-            }),
+            Self::Other(PartyApproach { distance, speed, acceleration }) => {
+                ReactionDemand::Other(PartyApproach {
+                    distance: of("other.distance", distance),
+                    speed: speed.as_ref().map(|speed| of("other.speed", speed)),
+                    acceleration: acceleration.as_ref().map(|number| of("other.acceleration", number)),
+                })
+            }
             Self::Sight => ReactionDemand::Sight,
         }
     }
@@ -255,8 +257,8 @@ pub struct OtherMotionForm<T = f64> {
 }
 
 impl OtherMotionForm {
-    /// (m/s) the speed at the impact, with that which the rest of the case tells; `None` if it is not known. 0
-    /// stands for phases that begin with a known speed, as they lead to that at the impact.
+    /// (m/s) the speed at the impact, with that which the rest of the case tells; `None` if it is not known.
+    /// 0 stands for phases that begin with a known speed, as they lead to that at the impact.
     #[must_use]
     pub fn speed_at_impact(&self, sought: Option<f64>) -> Option<f64> {
         // A solution that lets it move backward says that it stood; a speed that is given says what it says.

@@ -79,7 +79,7 @@ pub use after::{
     Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 pub use avoid::{
-    Along, Approach, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
     GivenWayOut, Obstacle, OffLine, OtherApproach, OtherForm, OtherMotionForm, OtherParty, PathForm,
     PlaceForm, ReactionDemand, SUBJECTS, SWELLS, SameLineForm, SightForm, Sourced, SpeedForm,
 };
