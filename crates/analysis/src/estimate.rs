@@ -27,8 +27,8 @@ use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
 use crate::warning::Warning;
 pub use agreement::{Agreement, CONTRADICTS, DOUBTFUL};
+use impacts::CaseImpacts;
 pub use notes::{Unused, UnusedReason};
-use outputs::Told;
 use pieces::There;
 pub use pieces::{PieceFound, SameTwice};
 use runs::Runs;
@@ -204,8 +204,7 @@ impl EstimatedOutput {
 /// # Errors
 /// [`Failure`] if the case lacks something, or if a distribution is invalid.
 pub fn estimate_outputs(case: &Case) -> Result<Vec<Output>, Failure> {
-    let setup = setup::of(case, None)?;
-    Ok(outputs::of(&setup.impacts))
+    Ok(setup::of(case, None)?.impacts.outputs)
 }
 
 /// The keys of the evidence that [`estimate()`] uses in a case.
@@ -298,18 +297,17 @@ pub fn estimate(
         energies,
         hit,
         is_with_object,
-        reference,
         warnings,
     } = setup::of(case, plan.prior)?;
     let model = CollisionModel::of(impacts, observed.clone());
-    let told = Told::new(&model, case.axes, reference);
-    let mut runs = Runs::new(&told, model.pieces(), plan, progress);
+    let impacts = model.leads();
+    let mut runs = Runs::new(&model, plan, progress);
     let posterior = runs.answer()?;
     let before = runs.before()?;
     let there = There { posterior: &posterior, before: before.as_ref() };
     let mut pieces = runs.pieces(there);
     for found in &mut pieces {
-        found.reversed |= has_other_sign(found, &observed, &told, &posterior);
+        found.reversed |= has_other_sign(found, &observed, impacts, &posterior);
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
@@ -323,10 +321,10 @@ pub fn estimate(
         prior,
         energies,
         tested,
-        stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], &told)),
+        stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], impacts)),
         default_errors,
-        unknown: there.unknown(unknown, &told),
-        outputs: there.outputs(&told, is_field),
+        unknown: there.unknown(unknown, impacts),
+        outputs: there.outputs(impacts, is_field),
         pieces,
         same_twice: pieces::same_twice(model.pieces()),
         missed: missed(&model, &posterior),
@@ -361,9 +359,9 @@ pub(crate) fn may_back(case: &Case, id: VehicleId) -> bool {
 
 impl There<'_> {
     /// Whether a vehicle stood still, with the probability `assumed` (–) before; `None` if that is 0.
-    fn stood(&self, id: VehicleId, assumed: f64, told: &Told<'_>) -> Option<Stood> {
+    fn stood(&self, id: VehicleId, assumed: f64, impacts: &CaseImpacts) -> Option<Stood> {
         let stands = |run: &Posterior| {
-            let draws = told.speed(run, id)?;
+            let draws = impacts.speed(run, id)?;
             Some(run.draws().mean(|draw| if draws[draw] == 0.0 { 1.0 } else { 0.0 }))
         };
         let before = self.before.and_then(stands);
@@ -372,13 +370,13 @@ impl There<'_> {
 
     /// The results before and after the evidence. Where the prior is that of the field, also those if
     /// somebody was seriously hurt.
-    fn outputs(&self, told: &Told<'_>, is_field: bool) -> Vec<EstimatedOutput> {
+    fn outputs(&self, impacts: &CaseImpacts, is_field: bool) -> Vec<EstimatedOutput> {
         let Self { posterior, before } = self;
-        let injured = is_field.then(|| of_injured(told, posterior)).flatten();
-        let outputs = told.outputs().iter().zip(posterior.outputs()).enumerate();
+        let injured = is_field.then(|| of_injured(impacts, posterior)).flatten();
+        let outputs = impacts.outputs.iter().zip(posterior.outputs()).enumerate();
         let estimated = outputs.map(|(place, (output, draws))| EstimatedOutput {
             output: *output,
-            is_given: told.is_given(*output),
+            is_given: impacts.is_given(*output),
             prior: before.map(|before| before.summary(DrawnQuantity::Output(place))),
             posterior: posterior.summary(DrawnQuantity::Output(place)),
             if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),
@@ -387,11 +385,11 @@ impl There<'_> {
     }
 
     /// The unknown numbers before and after the evidence.
-    fn unknown(&self, numbers: Vec<Before>, told: &Told<'_>) -> Vec<UnknownNumber> {
+    fn unknown(&self, numbers: Vec<Before>, impacts: &CaseImpacts) -> Vec<UnknownNumber> {
         let after = |place: usize, key: &str| {
             // The speed itself if its value also encodes whether the vehicle stood.
             let speed = VehicleId::ALL.into_iter().find(|id| key == format!("{}.speed", table(*id)));
-            let output = speed.and_then(|id| told.speed_place(id));
+            let output = speed.and_then(|id| impacts.speed_place(id));
             self.posterior.summary(output.map_or(DrawnQuantity::Value(place), DrawnQuantity::Output))
         };
         let numbers = numbers.into_iter().enumerate();
@@ -418,7 +416,7 @@ pub const MISSED: f64 = 4.0;
 
 /// The keys of the evidence in use with a number that is off by more than [`MISSED`] errors in most draws: no
 /// collision agrees with all of the evidence.
-fn missed(model: &CollisionModel<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<String> {
+fn missed(model: &CollisionModel<CaseImpacts>, posterior: &Posterior) -> Vec<String> {
     let mut keys = Vec::new();
     for (part, scores) in model.parts().iter().zip(posterior.residuals()) {
         // The score of an angle is its error itself, at most half a turn.
@@ -436,8 +434,8 @@ fn missed(model: &CollisionModel<impacts::CaseImpacts>, posterior: &Posterior) -
 
 /// Weights that turn the draws into those of a collision in which somebody was seriously hurt; `None` if too
 /// few of them lead there.
-fn of_injured(told: &Told<'_>, posterior: &Posterior) -> Option<Weights> {
-    let delta_v = VehicleId::ALL.map(|id| told.draws(posterior, DELTA_V.of_vehicle(id)));
+fn of_injured(impacts: &CaseImpacts, posterior: &Posterior) -> Option<Weights> {
+    let delta_v = VehicleId::ALL.map(|id| impacts.draws(posterior, DELTA_V.of_vehicle(id)));
     let risk = |draw: usize| {
         let delta_v = delta_v.map(|draws| draws.map_or(0.0, |draws| draws[draw]));
         InjuryRisk::SERIOUS.ln_in_either(delta_v)
@@ -448,11 +446,17 @@ fn of_injured(told: &Told<'_>, posterior: &Posterior) -> Option<Weights> {
 }
 
 /// Whether a recorder's longitudinal ΔV has the opposite sign of all draws.
-fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
+fn has_other_sign(
+    found: &PieceFound,
+    observed: &Observed,
+    impacts: &CaseImpacts,
+    posterior: &Posterior,
+) -> bool {
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
     let wanted = DELTA_V_LONGITUDINAL.of_vehicle(id);
-    let median = told.place(wanted).map(|place| posterior.summary(DrawnQuantity::Output(place)).median.value);
+    let median =
+        impacts.place(wanted).map(|place| posterior.summary(DrawnQuantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)
 }
 

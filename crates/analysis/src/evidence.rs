@@ -1,7 +1,7 @@
 //! The answers of the damage, of the momentum and of both together for one collision.
 
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
-use pim_core::{Outcome, VehicleId};
+use pim_core::{Law, Outcome, VehicleId};
 use reconcile::{EvidenceErrors, MomentumBesideCrush, are_collinear};
 
 use crate::analysis::Analysis;
@@ -11,7 +11,6 @@ use crate::errors::errors;
 use crate::failure::Failure;
 use crate::given::{GivenSpeed, with_sideslip};
 use crate::solve::{crush, reconstruct};
-use crate::speeds::BothMethod;
 
 /// The answers of the damage, of the momentum and of both together, for a case that has the evidence for
 /// each.
@@ -145,17 +144,12 @@ pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
 fn without_damage(own: &Analysis) -> ByEvidence {
     let momentum = || {
         let both = own.both.as_ref()?;
-        let by = match both.method {
-            BothMethod::MomentumAndSpeed { given } => EvidenceMethod::MomentumAndSpeed { given },
-            BothMethod::Wall { vehicle, restitution } => EvidenceMethod::Wall { vehicle, restitution },
-            BothMethod::Momentum | BothMethod::MomentumAndCrush { .. } => EvidenceMethod::Momentum,
-        };
         let exchange = own.exchange()?;
         let restitution = own.impact.as_ref().map(|impact| impact.law.restitution());
         let energy = exchange.energy;
         let works = exchange.at_contact.map(|_| [energy.normal_work, energy.tangential_work]);
         Some(EvidenceAnswer {
-            by,
+            by: own.solved_by(),
             speeds: Some(both.speeds),
             delta_v: both.delta_v,
             closing_speed: Some(exchange.closing_speed),
@@ -298,28 +292,31 @@ fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence>
         (found.speeds, EvidenceMethod::Weighed { errors, apart: found.apart })
     };
     let (law, outcome) = posed.impact(speeds).ok_or(NoEvidence::NoLaw)??;
-    Ok(EvidenceAnswer {
-        by,
-        speeds: Some(speeds),
-        delta_v: outcome.delta_v_magnitude(),
-        closing_speed: Some(outcome.closing_speed()),
-        crush_energy: needed(basis, works(&outcome), law.restitution()),
-        energy_loss: Some(outcome.energy.loss),
-    })
+    Ok(of_outcome(by, speeds, (&outcome, &law), basis))
 }
 
 /// The answer of a reconstruction from the damage.
 fn of_impact(analysis: &Analysis, by: EvidenceMethod) -> Option<EvidenceAnswer> {
     let impact = analysis.impact.as_ref()?;
-    let outcome = &impact.outcome;
-    Some(EvidenceAnswer {
+    let speeds = VehicleId::ALL.map(|id| analysis.speed(id));
+    Some(of_outcome(by, speeds, (&impact.outcome, &impact.law), analysis.basis))
+}
+
+/// The answer of an impact (m/s) and its law.
+fn of_outcome(
+    by: EvidenceMethod,
+    speeds: [f64; 2],
+    (outcome, law): (&Outcome, &Law),
+    basis: Basis,
+) -> EvidenceAnswer {
+    EvidenceAnswer {
         by,
-        speeds: Some(VehicleId::ALL.map(|id| analysis.speed(id))),
+        speeds: Some(speeds),
         delta_v: outcome.delta_v_magnitude(),
         closing_speed: Some(outcome.closing_speed()),
-        crush_energy: needed(analysis.basis, works(outcome), impact.law.restitution()),
+        crush_energy: needed(basis, works(outcome), law.restitution()),
         energy_loss: Some(outcome.energy.loss),
-    })
+    }
 }
 
 /// (J) works of the normal and of the tangential impulse.

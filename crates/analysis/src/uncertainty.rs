@@ -143,29 +143,29 @@ fn scale(output: Output, nominal: &Analysis) -> f64 {
     scale.unwrap_or(0.0)
 }
 
-/// Why a sample has no answer.
+/// Why a sample has no answer, with the code by which the engine counts it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The contact points do not approach each other.
-    NotApproaching,
+    NotApproaching = 1,
     /// No speed reconciles crush and impact.
-    NoRoot,
+    NoRoot = 2,
     /// The coefficients would create energy.
-    EnergyCreated,
+    EnergyCreated = 3,
     /// The contact jams.
-    Jam,
+    Jam = 4,
     /// The vehicles would have to pull at each other.
-    Pulling,
+    Pulling = 5,
     /// The speed without damage is not below that of the barrier test.
-    NoDamageSpeed,
+    NoDamageSpeed = 7,
     /// The limit of the force per width is less than A, its initial value.
-    LimitBelowStart,
+    LimitBelowStart = 8,
     /// No motion after the impact leads to a rest, or from it.
-    NoRest,
+    NoRest = 9,
     /// Momentum and crush energy give no speeds.
-    NoSpeeds,
+    NoSpeeds = 10,
     /// Something else.
-    Other,
+    Other = 6,
 }
 
 /// All reasons.
@@ -186,18 +186,7 @@ impl Reason {
     /// The code by which the engine counts it.
     #[must_use]
     pub fn code(self) -> u8 {
-        match self {
-            Self::NotApproaching => 1,
-            Self::NoRoot => 2,
-            Self::EnergyCreated => 3,
-            Self::Jam => 4,
-            Self::Pulling => 5,
-            Self::Other => 6,
-            Self::NoDamageSpeed => 7,
-            Self::LimitBelowStart => 8,
-            Self::NoRest => 9,
-            Self::NoSpeeds => 10,
-        }
+        self as u8
     }
 
     /// The reason of a code: a result that is not finite, which the engine itself refuses, belongs to the

@@ -317,7 +317,7 @@ impl From<Question> for Asked {
         match question {
             Question::Reconstruct(ReconstructArguments { report, exact }) => {
                 // The report to hand over has what takes as long again; a live one is without.
-                let is_page = matches!(report.cases.format, CasesFormat::Html | CasesFormat::Markdown);
+                let is_page = matches!(report.cases.format, Ok(Format::Html | Format::Markdown));
                 let method = is_page && !exact && !report.live;
                 Self::report(Request::Reconstruct(ReconstructOptions { weigh: !exact, method }), report)
             }
@@ -631,7 +631,7 @@ pub(crate) struct CasesArguments {
     pub(crate) cases: Vec<PathBuf>,
 
     /// text, json (SI), html, markdown; csv, jsonl (rows)
-    #[arg(long, value_enum, default_value_t = CasesFormat::Text, hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(CASES_FORMATS), default_value = "text", hide_possible_values = true)]
     pub(crate) format: CasesFormat,
 
     /// us, si, or uk (si, speeds in mph) [default: the file's; csv: si]
@@ -675,35 +675,23 @@ pub(crate) struct ReportArguments {
     pub(crate) page: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CasesFormat {
-    Text,
-    Json,
-    Html,
-    Markdown,
-    Csv,
-    Jsonl,
-}
+/// The format of a document on one case, or that of rows.
+pub(crate) type CasesFormat = Result<Format, Rows>;
+
+const CASES_FORMATS: [Word<CasesFormat>; 6] = [
+    ("text", "", Ok(Format::Text)),
+    ("json", "", Ok(Format::Json)),
+    ("html", "", Ok(Format::Html)),
+    ("markdown", "", Ok(Format::Markdown)),
+    ("csv", "", Err(Rows::Csv)),
+    ("jsonl", "", Err(Rows::Jsonl)),
+];
 
 /// What has a row for each of many cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Rows {
     Csv,
     Jsonl,
-}
-
-impl CasesFormat {
-    /// The format of a document on one case, or that of rows.
-    pub(crate) fn of_one(self) -> Result<Format, Rows> {
-        match self {
-            Self::Text => Ok(Format::Text),
-            Self::Json => Ok(Format::Json),
-            Self::Html => Ok(Format::Html),
-            Self::Markdown => Ok(Format::Markdown),
-            Self::Csv => Err(Rows::Csv),
-            Self::Jsonl => Err(Rows::Jsonl),
-        }
-    }
 }
 
 #[derive(Debug, Args)]
@@ -1102,14 +1090,8 @@ pub(crate) struct Arguments {
 
 impl From<Arguments> for CasesArguments {
     fn from(Arguments { case, format, units, output }: Arguments) -> Self {
-        let format = match format {
-            Format::Text => CasesFormat::Text,
-            Format::Json => CasesFormat::Json,
-            Format::Html => CasesFormat::Html,
-            Format::Markdown => CasesFormat::Markdown,
-        };
         let csv_style = CsvStyle::International;
-        Self { cases: vec![case], format, units, threads: None, csv_style, output }
+        Self { cases: vec![case], format: Ok(format), units, threads: None, csv_style, output }
     }
 }
 

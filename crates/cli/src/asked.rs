@@ -85,7 +85,7 @@ fn check(Asked { request, cases, samples_out, plots, .. }: &Asked) -> Result<()>
         let rows = named(rows);
         bail!("--sobol {rows}: write --sobol={rows}; a number after a space is read as a case file");
     }
-    if cases.format.of_one().is_err() && (samples_out.is_some() || plots.is_some()) {
+    if cases.format.is_err() && (samples_out.is_some() || plots.is_some()) {
         bail!("--samples-out and --plots are for the report on one case: leave them out, or --format");
     }
     Ok(())

@@ -16,11 +16,11 @@ use crate::threads::pool;
 pub(crate) fn of_cases(arguments: CasesArguments, request: &Request) -> Result<Option<Arguments>> {
     let CasesArguments { mut cases, format, units, threads, csv_style, output } = arguments;
     let Some(table) = request.rows() else {
-        let format = format.of_one().unwrap_or(arguments::Format::Text);
+        let format = format.unwrap_or(arguments::Format::Text);
         return Ok(cases.pop().map(|case| Arguments { case, format, units, output }));
     };
     let mut cases = with_folders(cases)?;
-    let format = match format.of_one() {
+    let format = match format {
         Ok(format) => match (cases.pop(), cases.len()) {
             (Some(case), 0) => return Ok(Some(Arguments { case, format, units, output })),
             (_, others) => anyhow::bail!(

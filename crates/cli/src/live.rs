@@ -8,7 +8,7 @@ use anyhow::{Context as _, Result, bail};
 use case::{CaseFile, Text};
 use report::Document;
 
-use crate::arguments::{CasesArguments, CasesFormat};
+use crate::arguments::{CasesArguments, Format};
 use crate::files::named;
 
 /// The name of the page next to the program.
@@ -23,7 +23,7 @@ pub(crate) struct Page {
 impl Page {
     /// The page that the arguments name, or the one next to the program.
     pub(crate) fn read(arguments: &CasesArguments, page: Option<&Path>) -> Result<Self> {
-        if arguments.format != CasesFormat::Html {
+        if arguments.format != Ok(Format::Html) {
             bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
         }
         if arguments.cases.len() != 1 {

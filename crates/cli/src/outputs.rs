@@ -232,7 +232,7 @@ fn files(command: &Command) -> Files<'_> {
 
 fn of_asked(asked: &Asked) -> Files<'_> {
     let Asked { cases, is_live, page, samples_out, plots, .. } = asked;
-    let ending = match cases.format.of_one() {
+    let ending = match cases.format {
         Ok(format) => ending(format, REPORT),
         Err(Rows::Csv) => "-rows.csv",
         Err(Rows::Jsonl) => "-rows.jsonl",

@@ -7,6 +7,7 @@ use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, CrushNumbers, VehicleNumbers};
 use crate::figures::CrushChange;
+use crate::model::DrawnOutput;
 use crate::number::Slot;
 
 /// (m/s) approach speed along the normal below which nothing is crushed.
@@ -30,6 +31,16 @@ pub trait Impacts: Sync {
     ) -> Option<Vec<Impacted>> {
         let _ = (values, wanted);
         None
+    }
+
+    /// The number of outputs of each draw.
+    fn outputs_count(&self) -> usize {
+        DrawnOutput::ALL.len()
+    }
+
+    /// (SI) an output of a draw, by its place: those of [`DrawnOutput`], in their order.
+    fn output(&self, place: usize, impacted: &Impacted) -> f64 {
+        DrawnOutput::ALL[place].of(impacted)
     }
 }
 

@@ -103,7 +103,7 @@ impl DrawnOutput {
     }
 
     #[inline(always)]
-    fn of(self, impacted: &Impacted) -> f64 {
+    pub(crate) fn of(self, impacted: &Impacted) -> f64 {
         let outcome = &impacted.outcome;
         match self {
             Self::Speed(id) => impacted.speeds[id.index()],
@@ -816,14 +816,14 @@ impl<I: Impacts> Evidence for CollisionModel<I> {
     }
 
     fn outputs_count(&self) -> usize {
-        DrawnOutput::ALL.len()
+        self.impacts.outputs_count()
     }
 
     fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
         let impacts = self.impacts.impacts(values);
-        for (column, output) in outputs.iter_mut().zip(DrawnOutput::ALL) {
+        for (place, column) in outputs.iter_mut().enumerate() {
             for (number, impacted) in column.iter_mut().zip(&impacts) {
-                *number = output.of(impacted);
+                *number = self.impacts.output(place, impacted);
             }
         }
         self.score(&impacts, residuals);

@@ -18,6 +18,7 @@ pub(crate) mod topics;
 pub(crate) mod uncertainty;
 pub(crate) mod validation;
 
+use ::uncertainty::{Distribution, Shape};
 use case::{Case, CaseFile, Text};
 use serde::Serialize;
 use sha2::{Digest as _, Sha256};
@@ -27,6 +28,17 @@ use crate::words::file_name;
 /// The title as given; empty without one.
 fn title(case: &Case) -> &str {
     case.title.as_ref().map_or("", Text::as_given)
+}
+
+/// The name of the shape of a distribution.
+fn distribution_name(distribution: &Distribution) -> &'static str {
+    match distribution.shape() {
+        Shape::Normal { .. } => "normal",
+        Shape::LogNormal { .. } => "log-normal",
+        Shape::Uniform { .. } => "uniform",
+        Shape::Triangular { .. } => "triangular",
+        _ => "other",
+    }
 }
 
 /// The results of a case, with the program and the file that reproduce them.

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use case::edit::{self, EditError};
 use case::{CaseFile, ContactPoint, Dimension, Quantity, RestHeading, UnitSystem, read_quantity, read_unit};
 use real::{Real, principal_angle};
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
@@ -27,6 +28,7 @@ pub(crate) fn drag(text: &str, handle: &str, to: &str) -> Value {
 }
 
 /// Where a site plan is to lie, in the axes of the scene's pictures.
+#[derive(Deserialize)]
 struct Plan {
     file: String,
     /// (m) its lower left corner.
@@ -37,58 +39,49 @@ struct Plan {
     angle: f64,
 }
 
-impl Plan {
-    fn read(text: &str) -> Option<Self> {
-        let read: Value = serde_json::from_str(text).ok()?;
-        let number = |name: &str| read.get(name).and_then(Value::as_f64).filter(|number| number.is_finite());
-        Some(Self {
-            file: read.get("file")?.as_str()?.to_owned(),
-            corner: pair(read.get("corner")?)?,
-            width: number("width")?,
-            angle: number("angle")?,
-        })
-    }
-}
-
 pub(crate) fn keep_plan(text: &str, plan: &str) -> Value {
     made(Given::read(text, None, "").and_then(|given| {
-        let plan = Plan::read(plan).ok_or_else(|| {
-            Refused::message("a site plan is kept as { file, corner: [x, y], width, angle }")
-        })?;
+        let plan: Plan = serde_json::from_str(plan)
+            .map_err(|_| Refused::message("a site plan is kept as { file, corner: [x, y], width, angle }"))?;
         let mut change = Change::of(given.file);
         change.keep(&plan)?;
         Ok(json!({ "ok": true, "text": change.file.source.text(), "changed": change.changed }))
     }))
 }
 
+#[derive(Deserialize)]
 struct Handle {
     kind: String,
-    vehicle: usize,
-    index: usize,
+    vehicle: Option<usize>,
+    index: Option<usize>,
     at: [f64; 2],
-    centre: [f64; 2],
+    centre: Option<[f64; 2]>,
 }
 
 impl Handle {
     fn read(text: &str) -> Option<Self> {
-        let read: Value = serde_json::from_str(text).ok()?;
-        let count = |name: &str| read.get(name).and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
-        let vehicle = count("vehicle").unwrap_or(1);
-        let at = pair(read.get("at")?)?;
-        Some(Self {
-            kind: read.get("kind")?.as_str()?.to_owned(),
-            vehicle: (1..=2).contains(&vehicle).then_some(vehicle)?,
-            index: count("index").unwrap_or(0),
-            at,
-            centre: read.get("centre").and_then(pair).unwrap_or(at),
-        })
+        let handle: Self = serde_json::from_str(text).ok()?;
+        (1..=2).contains(&handle.vehicle()).then_some(handle)
+    }
+
+    fn vehicle(&self) -> usize {
+        self.vehicle.unwrap_or(1)
+    }
+
+    fn index(&self) -> usize {
+        self.index.unwrap_or(0)
+    }
+
+    fn centre(&self) -> [f64; 2] {
+        self.centre.unwrap_or(self.at)
     }
 
     fn key(&self, key: &str) -> String {
-        format!("vehicle{}.{key}", self.vehicle)
+        format!("vehicle{}.{key}", self.vehicle())
     }
 }
 
+#[derive(Deserialize)]
 struct To {
     at: Option<[f64; 2]>,
     angle: Option<f64>,
@@ -96,18 +89,14 @@ struct To {
 
 impl To {
     fn read(text: &str) -> Option<Self> {
-        let read: Value = serde_json::from_str(text).ok()?;
-        let to = Self {
-            at: read.get("at").and_then(pair),
-            angle: read.get("angle").and_then(Value::as_f64).filter(|angle| angle.is_finite()),
-        };
+        let to: Self = serde_json::from_str(text).ok()?;
         (to.at.is_some() || to.angle.is_some()).then_some(to)
     }
 
     /// (rad) how far a handle turns around its centre, the shorter way.
     fn turn(&self, handle: &Handle) -> f64 {
-        let from = angle(handle.centre, handle.at);
-        let to = self.angle.unwrap_or_else(|| angle(handle.centre, self.at.unwrap_or(handle.at)));
+        let from = angle(handle.centre(), handle.at);
+        let to = self.angle.unwrap_or_else(|| angle(handle.centre(), self.at.unwrap_or(handle.at)));
         principal_angle(to - from)
     }
 
@@ -115,12 +104,6 @@ impl To {
     fn place(&self, handle: &Handle) -> [f64; 2] {
         self.at.unwrap_or(handle.at)
     }
-}
-
-fn pair(value: &Value) -> Option<[f64; 2]> {
-    let [x, y] = value.as_array()?.as_slice() else { return None };
-    let pair = [x.as_f64()?, y.as_f64()?];
-    pair.iter().all(|one| one.is_finite()).then_some(pair)
 }
 
 /// (rad)
@@ -142,7 +125,7 @@ impl Change {
     fn make(&mut self, handle: &Handle, to: &To) -> Result<(), Refused> {
         let case = &self.file.case;
         let axes = case.axes;
-        let vehicle = &case.vehicles[handle.vehicle - 1];
+        let vehicle = &case.vehicles[handle.vehicle() - 1];
         let [x, y] = to.place(handle);
         match handle.kind.as_str() {
             "heading" => {
@@ -158,7 +141,7 @@ impl Change {
             }
             // The contact point stays where it is, and the vehicle moves.
             "body" => self.contact(handle, [-x, -y]),
-            "contact" => self.contact(handle, [x - handle.centre[0], y - handle.centre[1]]),
+            "contact" => self.contact(handle, [x - handle.centre()[0], y - handle.centre()[1]]),
             "station" => self.depth(handle, to),
             "rest" => {
                 self.put(&handle.key("after.rest.x"), x, Dimension::Length, PLACE)?;
@@ -182,7 +165,7 @@ impl Change {
                 }
             }
             "point" => {
-                let point = handle.key(&format!("after.points[{}]", handle.index + 1));
+                let point = handle.key(&format!("after.points[{}]", handle.index() + 1));
                 self.put(&format!("{point}.x"), x, Dimension::Length, PLACE)?;
                 self.put(&format!("{point}.y"), axes.lateral(y), Dimension::Length, PLACE)
             }
@@ -221,7 +204,7 @@ impl Change {
     fn contact(&mut self, handle: &Handle, arm: [f64; 2]) -> Result<(), Refused> {
         let case = &self.file.case;
         let axes = case.axes;
-        let vehicle = &case.vehicles[handle.vehicle - 1];
+        let vehicle = &case.vehicles[handle.vehicle() - 1];
         let heading = axes.lateral(vehicle.heading.as_ref().map_or(0.0, Quantity::si));
         let (sin, cos) = Real::sin_cos(heading);
         // In the axes of the vehicle.
@@ -244,11 +227,11 @@ impl Change {
     fn depth(&mut self, handle: &Handle, to: &To) -> Result<(), Refused> {
         let case = &self.file.case;
         let none = || Refused::message("this vehicle has no measured crush");
-        let crush = case.vehicles[handle.vehicle - 1].crush.as_ref().ok_or_else(none)?;
-        let old = crush.depths.get(handle.index).ok_or_else(none)?;
+        let crush = case.vehicles[handle.vehicle() - 1].crush.as_ref().ok_or_else(none)?;
+        let old = crush.depths.get(handle.index()).ok_or_else(none)?;
         // Out of the vehicle, in the scene.
         let axes = case.axes;
-        let heading = case.vehicles[handle.vehicle - 1].heading.as_ref().map_or(0.0, Quantity::si);
+        let heading = case.vehicles[handle.vehicle() - 1].heading.as_ref().map_or(0.0, Quantity::si);
         let side = match crush.side {
             crash3::Side::Front => 0.0,
             crash3::Side::Left => PI / 2.0,
@@ -268,12 +251,12 @@ impl Change {
         let key = lists.find(|key| self.file.source.span(key).is_some());
         let written = key.as_ref().and_then(|key| self.written(key));
         if let (Some(key), Some('[')) = (&key, written.and_then(|written| written.chars().next())) {
-            return self.put(&format!("{key}[{}]", handle.index + 1), depth, Dimension::Length, DEPTH);
+            return self.put(&format!("{key}[{}]", handle.index() + 1), depth, Dimension::Length, DEPTH);
         }
         let changed = key.and_then(|key| {
             let text = self.text(&key)?;
             let places = numbers(&text);
-            let place = places.get(handle.index)?;
+            let place = places.get(handle.index())?;
             let unit = read_unit(text[places.last()?.end..].trim(), Dimension::Length)?;
             let number = rounded(depth / unit.factor(), DEPTH / unit.factor());
             let new = [&text[..place.start], &number, &text[place.end..]].concat();

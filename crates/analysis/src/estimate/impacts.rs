@@ -4,7 +4,7 @@ use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
 use evidence::{CrushChange, Impacted, Impacts, LEAST_APPROACH, OtherCrush, Way};
 use inputs::{
-    Basis, Case, CollisionData, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity,
+    Axes, Basis, Case, CollisionData, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity,
 };
 use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -16,7 +16,9 @@ use crate::columns::{Columns, Number, si};
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::impact::speed_along;
+use crate::output::Output;
 use crate::travel::{Scene, skid};
+use crate::uncertainty::beside;
 
 /// The value that a number of the case has in each particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +80,12 @@ pub(super) struct CaseImpacts {
     pub(super) placeholder: Outcome,
     /// Whether each vehicle is followed to rest.
     pub(super) followed: [bool; 2],
+    /// The results that are computed for each draw.
+    pub(super) outputs: Vec<Output>,
+    pub(super) axes: Axes,
+    /// (rad) PDOF of both vehicles if the force were normal to the crush plane: the PDOFs of all draws are
+    /// within half a turn of them.
+    pub(super) reference: [f64; 2],
     pub(super) unknown: Independent,
     /// The same for a block at once, if the form of the case allows that.
     pub(super) block: Option<Block>,
@@ -124,6 +132,19 @@ impl Impacts for CaseImpacts {
         wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Option<Vec<Impacted>> {
         (self.followed != [false, false]).then(|| self.impacts_of(values, wanted))
+    }
+
+    fn outputs_count(&self) -> usize {
+        self.outputs.len()
+    }
+
+    fn output(&self, place: usize, impacted: &Impacted) -> f64 {
+        let output = self.outputs[place];
+        let value = output.of_draw(self.axes, impacted);
+        match output.vehicle() {
+            Some(vehicle) if output.quantity().is_direction => beside(value, self.reference[vehicle.index()]),
+            _ => value,
+        }
     }
 }
 

@@ -45,7 +45,7 @@ pub enum UnusedReason {
     StoodByRecord,
 }
 
-/// Notes on a part of the evidence.
+/// Notes on the evidence.
 #[derive(Debug, Default)]
 pub(super) struct Notes {
     /// The keys of evidence with a default error, because the case gives none; each once.
@@ -59,14 +59,5 @@ impl Notes {
         if is_default && !self.default_errors.contains(&key) {
             self.default_errors.push(key);
         }
-    }
-
-    /// The result, whose notes are appended to these.
-    pub(super) fn take<T>(&mut self, (found, notes): (T, Self)) -> T {
-        for key in notes.default_errors {
-            self.default_error(true, key);
-        }
-        self.unused.extend(notes.unused);
-        found
     }
 }

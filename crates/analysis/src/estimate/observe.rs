@@ -3,7 +3,6 @@
 mod after;
 mod damage;
 mod recorder;
-mod skid;
 
 use ::uncertainty::Shape;
 use evidence::{DamagedSide, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
@@ -12,6 +11,8 @@ use pim_core::VehicleId;
 
 use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
+use crate::given::certain_limits;
+use crate::thresholds::RECORDER_SPEED_ERROR;
 use crate::uncertainty::UncertainInput;
 
 pub(super) use damage::{Crushed, damage, energies, is_with_object, reference};
@@ -73,13 +74,20 @@ impl<'a> Subject<'a> {
         };
         Some(sd * range.input.factor())
     }
+
+    /// The same; without a range, it is noted that the number has its default error.
+    fn noted_sd(self, of: &str, notes: &mut Notes) -> Option<f64> {
+        let sd = self.sd(of);
+        notes.default_error(sd.is_none(), self.key(of));
+        sd
+    }
 }
 
 /// All the evidence of a case.
 pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let Scene { case, prior, ranges, nominal, crushed, reference, .. } = *scene;
     let mut notes = Notes::default();
-    let vehicles = VehicleId::ALL.map(|id| notes.take(vehicle(scene, id)));
+    let vehicles = VehicleId::ALL.map(|id| vehicle(scene, id, &mut notes));
     if let [Some(one), Some(two)] = vehicles.each_ref().map(|vehicle| vehicle.pdof) {
         let id = if one.scale <= two.scale { VehicleId::Two } else { VehicleId::One };
         let key = format!("{}.crush.pdof", table(id));
@@ -95,39 +103,36 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
     let severity = if of_object { severity.of_uniform_speed() } else { severity };
-    let crush = (crushed != Crushed::No).then(|| {
-        let (errors, figures, found) =
-            damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object);
-        (notes.take((errors, found)), figures)
-    });
+    let crush = (crushed != Crushed::No)
+        .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
     (Observed { vehicles, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
 }
 
 /// The evidence of one vehicle.
-fn vehicle(scene: &Scene<'_>, id: VehicleId) -> (ObservedVehicle, Notes) {
+fn vehicle(scene: &Scene<'_>, id: VehicleId, notes: &mut Notes) -> ObservedVehicle {
     let Scene { case, ranges, nominal, motion, followed, reference, .. } = *scene;
     let subject = Subject { case, ranges, id };
     let way = motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref());
     let is_side = damage(id, nominal, reference) == DamagedSide::Side;
-    let mut notes = Notes::default();
-    let skid_speed = notes.take(skid::speed(subject));
-    let after = notes.take(after::after(subject));
-    let (rest, points) = way.map(|way| notes.take(after::rest(subject, way))).unwrap_or_default();
-    let pdof = notes.take(damage::pdof(subject, &nominal.vehicles[id.index()]));
-    let recorder = notes.take(recorder::recorded(subject, is_side));
+    // At the start of the skid.
+    let skid_speed = subject.given().before.as_ref().and_then(|before| before.speed);
+    let skid_speed = skid_speed.map(|speed| {
+        measured_speed(speed.si(), subject.noted_sd("before.speed", notes), RECORDER_SPEED_ERROR)
+    });
+    let after = after::after(subject, notes);
+    let (rest, points) = way.map(|way| after::rest(subject, way, notes)).unwrap_or_default();
+    let pdof = damage::pdof(subject, &nominal.vehicles[id.index()], notes);
+    let recorder = recorder::recorded(subject, is_side, notes);
     let limits = limits(subject);
-    (ObservedVehicle { pdof, after, rest, skid_speed, points, recorder, limits }, notes)
+    ObservedVehicle { pdof, after, rest, skid_speed, points, recorder, limits }
 }
 
 /// The certain limits of a speed.
 fn limits(subject: Subject<'_>) -> Limits {
-    let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
-    subject.given().certain_speed.as_ref().map_or_else(Limits::default, |certain| Limits {
-        least: si(&certain.at_least, f64::NEG_INFINITY),
-        most: si(&certain.at_most, f64::INFINITY),
-    })
+    let [least, most] = certain_limits(subject.given());
+    Limits { least: least.unwrap_or(f64::NEG_INFINITY), most: most.unwrap_or(f64::INFINITY) }
 }
 
 /// A measured speed (m/s), with the range of the case, whose standard deviation is `sd` (m/s), or without a

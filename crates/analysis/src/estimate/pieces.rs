@@ -10,7 +10,7 @@ use evidence::Piece;
 use pim_core::VehicleId;
 
 use super::PieceDetail;
-use super::outputs::Told;
+use super::impacts::CaseImpacts;
 use crate::excluded::key;
 
 /// A piece of evidence, and its effect on the answer.
@@ -90,7 +90,7 @@ fn suffices(run: &Posterior) -> bool {
 /// run.
 pub(super) fn found(
     (term, piece): (usize, Piece),
-    told: &Told<'_>,
+    impacts: &CaseImpacts,
     there: There<'_>,
     always: &[usize],
     (detail, again): (PieceDetail, &mut Again<'_>),
@@ -103,7 +103,7 @@ pub(super) fn found(
     let mut p_value = check.filter(PieceCheck::is_reliable).map(|check| check.p_value);
     let (mut alone, mut without) = (None, None);
     let speeds = |run: &Posterior, draws: Draws<'_>| {
-        VehicleId::ALL.map(|id| Some(draws.summary(told.speed(run, id)?)))
+        VehicleId::ALL.map(|id| Some(draws.summary(impacts.speed(run, id)?)))
     };
     let mut run = |wanted: Wanted| again(wanted).filter(suffices);
     if detail == PieceDetail::Apart {

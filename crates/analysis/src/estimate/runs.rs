@@ -7,9 +7,9 @@ use ::estimate::{
     MOST_PARTICLES, PARTICLES_STEP, ParticleSettings, Posterior, Selection, Verdict, sample, sample_without,
 };
 use ::uncertainty::Progress;
-use evidence::Piece;
+use evidence::{CollisionModel, Piece};
 
-use super::outputs::Told;
+use super::impacts::CaseImpacts;
 use super::pieces::{PieceFound, There, Wanted, found};
 use super::{EstimatePlan, EstimateStage, PieceDetail, refused};
 use crate::failure::Failure;
@@ -27,13 +27,14 @@ const ANEW_ISLANDS: usize = 8;
 const PIECE_SHARE: usize = 2;
 const PIECE_LEAST: usize = 256;
 
+type Model = CollisionModel<CaseImpacts>;
+
 /// Receives the stage, the work done of it and its total, and may end the estimate.
 pub(super) type Report<'a> = dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a;
 
 /// The runs of one estimate: ending one of them ends all.
-pub(super) struct Runs<'a, 'm> {
-    told: &'a Told<'m>,
-    pieces: &'a [Piece],
+pub(super) struct Runs<'a> {
+    model: &'a Model,
     plan: &'a EstimatePlan,
     report: &'a mut Report<'a>,
     is_ended: bool,
@@ -46,14 +47,9 @@ fn is_always(piece: &Piece) -> bool {
     matches!(piece, Piece::Severity | Piece::Limits(_))
 }
 
-impl<'a, 'm> Runs<'a, 'm> {
-    pub(super) fn new(
-        told: &'a Told<'m>,
-        pieces: &'a [Piece],
-        plan: &'a EstimatePlan,
-        report: &'a mut Report<'a>,
-    ) -> Self {
-        Self { told, pieces, plan, report, is_ended: false, evaluations: 0 }
+impl<'a> Runs<'a> {
+    pub(super) fn new(model: &'a Model, plan: &'a EstimatePlan, report: &'a mut Report<'a>) -> Self {
+        Self { model, plan, report, is_ended: false, evaluations: 0 }
     }
 
     /// By all evidence, with more particles if the first run does not suffice.
@@ -93,9 +89,9 @@ impl<'a, 'm> Runs<'a, 'm> {
             self.begin_piece(done, judged.len());
             let is_wanted = !self.is_ended && judged.len() > 1;
             let detail = if is_wanted { self.plan.pieces } else { PieceDetail::Weighed };
-            let (told, piece) = (self.told, (term, self.pieces[term]));
+            let (impacts, piece) = (self.model.leads(), (term, self.model.pieces()[term]));
             let mut again = |wanted: Wanted| self.again(wanted, there.posterior);
-            pieces.push(found(piece, told, there, &always, (detail, &mut again)));
+            pieces.push(found(piece, impacts, there, &always, (detail, &mut again)));
         }
         pieces
     }
@@ -121,7 +117,7 @@ impl<'a, 'm> Runs<'a, 'm> {
                 self.quietly(&ParticleSettings { terms, islands: ANEW_ISLANDS, ..settings })
             }
             Wanted::Without(term) => {
-                let without = sample_without(self.told, self.told, posterior, term, &settings).ok()?;
+                let without = sample_without(self.model, self.model, posterior, term, &settings).ok()?;
                 self.evaluations += without.diagnosis().evaluations;
                 Some(without)
             }
@@ -130,36 +126,36 @@ impl<'a, 'm> Runs<'a, 'm> {
 
     /// A run that reports its progress.
     fn reported(&mut self, stage: EstimateStage, settings: &ParticleSettings) -> Result<Posterior, Failure> {
-        let Self { told, report, is_ended, .. } = self;
+        let Self { model, report, is_ended, .. } = self;
         let mut progress = |done: usize, total: usize| {
             let flow = report(stage, done, total);
             *is_ended |= flow.is_break();
             flow
         };
-        let posterior = run(told, settings, &mut progress, &mut self.evaluations);
-        posterior.map_err(|failure| refused(failure, self.pieces))
+        let posterior = run(model, settings, &mut progress, &mut self.evaluations);
+        posterior.map_err(|failure| refused(failure, self.model.pieces()))
     }
 
     fn quietly(&mut self, settings: &ParticleSettings) -> Option<Posterior> {
         let mut progress = |_: usize, _: usize| ControlFlow::Continue(());
-        run(self.told, settings, &mut progress, &mut self.evaluations).ok()
+        run(self.model, settings, &mut progress, &mut self.evaluations).ok()
     }
 
     /// The terms of the pieces that are wanted.
     fn places(&self, is_wanted: impl Fn(&Piece) -> bool) -> Vec<usize> {
-        let pieces = self.pieces.iter().enumerate();
+        let pieces = self.model.pieces().iter().enumerate();
         pieces.filter(|(_, piece)| is_wanted(piece)).map(|(place, _)| place).collect()
     }
 }
 
 /// Runs the sampler, and adds its likelihoods to `evaluations`.
 fn run(
-    told: &Told<'_>,
+    model: &Model,
     settings: &ParticleSettings,
     progress: &mut Progress<'_>,
     evaluations: &mut usize,
 ) -> Result<Posterior, ::estimate::NoDraws> {
-    let posterior = sample(told, told, settings, progress)?;
+    let posterior = sample(model, model, settings, progress)?;
     *evaluations += posterior.diagnosis().evaluations;
     Ok(posterior)
 }

@@ -18,6 +18,7 @@ use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
 use super::notes::{Unused, UnusedReason};
 use super::observe::{Crushed, Scene, damage, energies, is_with_object, observe, reference};
 use super::of_number;
+use super::outputs;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::failure::Failure;
@@ -110,8 +111,6 @@ pub(super) struct Setup {
     pub(super) hit: Option<[DamagedSide; 2]>,
     /// Whether the front of a vehicle of unknown speed met a fixed object.
     pub(super) is_with_object: bool,
-    /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
-    pub(super) reference: [f64; 2],
     /// The warnings that need no answer.
     pub(super) warnings: Vec<Warning>,
 }
@@ -231,6 +230,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     }
     let shared = (!shared.is_empty()).then_some(shared);
     let motion = shared.is_none().then(|| of_motion(&case, &variables, &slots));
+    let (axes, outputs) = (case.axes, outputs::of(&case, &skids, followed));
     let impact = Varied { case, slots, shared };
     let impacts = CaseImpacts {
         impact,
@@ -243,6 +243,9 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         placeholder,
         followed,
         block,
+        outputs,
+        axes,
+        reference,
         unknown: Independent(unknowns.0.iter().map(|unknown| unknown.prior).collect()),
     };
     let energies = energies(crushed, &impacts.impact.case);
@@ -257,7 +260,6 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         energies,
         hit,
         is_with_object,
-        reference,
         warnings,
     })
 }

@@ -462,7 +462,7 @@ fn coefficients_without_a_range_are_open() {
 }
 
 /// Evidence that always computes the motion to rest, also for proposals that do not need it.
-struct Whole<'a>(&'a Told<'a>);
+struct Whole<'a>(&'a CollisionModel<CaseImpacts>);
 
 impl ::estimate::Evidence for Whole<'_> {
     fn terms_count(&self) -> usize {
@@ -499,10 +499,9 @@ fn proposals_that_are_refused_need_no_rest() {
     for id in VehicleId::ALL {
         assert!(model.pieces().contains(&Piece::Rest(id)) && model.pieces().contains(&Piece::Points(id)));
     }
-    let told = Told::new(&model, inputs::Axes::ZUp, setup.reference);
     let settings = ParticleSettings { islands: 4, ..ParticleSettings::new(128, 1) };
-    let in_parts = ::estimate::sample_quietly(&told, &told, &settings).unwrap();
-    let whole = ::estimate::sample_quietly(&told, &Whole(&told), &settings).unwrap();
+    let in_parts = ::estimate::sample_quietly(&model, &model, &settings).unwrap();
+    let whole = ::estimate::sample_quietly(&model, &Whole(&model), &settings).unwrap();
     assert_eq!(in_parts.values(), whole.values());
     assert_eq!(in_parts.terms(), whole.terms());
 }
@@ -609,12 +608,12 @@ fn a_direction_turns_with_the_axes() {
 /// The force on a vehicle that is hit from the left comes from 9 o'clock, that on one hit in the rear from 6.
 #[test]
 fn forces_come_from_where_the_vehicle_was_hit() {
-    let [one, two] = of_case(CENTRAL).reference.map(f64::to_degrees);
+    let [one, two] = of_case(CENTRAL).impacts.reference.map(f64::to_degrees);
     assert!(one.abs() < 1e-9 && (two.abs() - 180.0).abs() < 1e-9, "{one} {two}");
     let heading = "heading = { value = \"0 deg\", sd = \"0.0001 deg\" }\ncontact = { x = { value = \"-2 m\"";
     let left = CENTRAL.replace(heading, &heading.replace("\"0 deg\"", "\"90 deg\""));
     assert_ne!(left, CENTRAL);
-    let [one, two] = of_case(&left).reference.map(f64::to_degrees);
+    let [one, two] = of_case(&left).impacts.reference.map(f64::to_degrees);
     assert!(one.abs() < 1e-9 && (two + 90.0).abs() < 1e-9, "{one} {two}");
     // About 180°, and not half of the draws a full turn away.
     let estimated = run(&read(&format!("{CENTRAL}[vehicle2.after]\ndirection = \"0 deg\"\n")), 128).unwrap();
@@ -650,13 +649,13 @@ fn each_piece_is_judged_by_the_others() {
 }
 
 /// The Debug text of the impacts of a block of draws of the prior, which shows any difference.
-fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
+fn impacts_of(impacts: &CaseImpacts, seed: u64) -> Vec<String> {
     use evidence::Impacts;
     impacts.impacts(&columns_of(impacts, seed)).iter().map(|impacted| format!("{impacted:?}")).collect()
 }
 
 /// A block of draws of the prior.
-fn columns_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<::uncertainty::Lanes> {
+fn columns_of(impacts: &CaseImpacts, seed: u64) -> Vec<::uncertainty::Lanes> {
     use ::uncertainty::random::{bits, unit};
     let mut columns = Vec::new();
     for (place, distribution) in (0..).zip(&impacts.unknown.0) {
@@ -1019,13 +1018,12 @@ fn a_rest_that_is_not_used_needs_no_way() {
     let columns = columns_of(&setup.impacts, 1);
     let model = CollisionModel::of(setup.impacts, setup.observed);
     let rest = model.pieces().iter().position(|piece| *piece == Piece::Rest(VehicleId::Two)).unwrap();
-    let told = Told::new(&model, inputs::Axes::ZUp, setup.reference);
     let of_rest = |is_used: bool| {
         use ::estimate::Evidence;
-        let mut terms = vec![::uncertainty::Lanes::ZERO; told.terms_count()];
+        let mut terms = vec![::uncertainty::Lanes::ZERO; model.terms_count()];
         let mut used = vec![true; terms.len()];
         used[rest] = is_used;
-        told.log_likelihood_of_used(&columns, &used, &mut terms, &mut [0; ::uncertainty::LANES]);
+        model.log_likelihood_of_used(&columns, &used, &mut terms, &mut [0; ::uncertainty::LANES]);
         terms[rest]
     };
     let (followed, not) = (of_rest(true), of_rest(false));

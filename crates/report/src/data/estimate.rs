@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use ::estimate::{DrawsSummary, SamplerDoubt};
-use ::uncertainty::{Distribution, Estimate, Shape};
+use ::uncertainty::Estimate;
 use analysis::{Agreement, Estimated, EstimatedOutput, PieceFound, UnknownNumber};
 use case::CaseFile;
 use evidence::{CrushErrors, EnergyMethod, TestedClass};
@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 
 use super::csv::CsvStyle;
 use super::json::WarningBlock;
-use super::{identified, list, pretty, title};
+use super::{distribution_name, identified, list, pretty, title};
 use crate::estimates::{
     Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key, unused,
 };
@@ -138,16 +138,6 @@ fn unknown(unknown: &UnknownNumber, is_answer: bool) -> Value {
             "sd": summary.sd.value * factor,
         })),
     })
-}
-
-fn distribution_name(distribution: &Distribution) -> &'static str {
-    match distribution.shape() {
-        Shape::Normal { .. } => "normal",
-        Shape::LogNormal { .. } => "log-normal",
-        Shape::Uniform { .. } => "uniform",
-        Shape::Triangular { .. } => "triangular",
-        _ => "other",
-    }
 }
 
 /// The estimate as indented JSON, ending in a line break: `outputs` with prior, median and intervals of each

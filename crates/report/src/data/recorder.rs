@@ -177,25 +177,9 @@ fn pulse(found: &VehicleReading) -> Option<Value> {
 /// The columns of a record as CSV: one row for each sample of each vehicle, in SI units and radians; the
 /// impact is at 0.
 fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        [
-            "vehicle",
-            "time",
-            "speed",
-            "brake",
-            "abs",
-            "accelerator",
-            "throttle",
-            "engine_speed",
-            "steering",
-            "yaw_rate",
-            "distance",
-            "distance_at_least",
-            "distance_at_most",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
-    ];
+    let header = "vehicle,time,speed,brake,abs,accelerator,throttle,engine_speed,steering,yaw_rate,\
+                  distance,distance_at_least,distance_at_most";
+    let mut rows = vec![header.split(',').map(str::to_owned).collect()];
     for id in VehicleId::ALL {
         let Some(found) = &reading.vehicles[id.index()] else { continue };
         let record = found.recorder.before_impact();

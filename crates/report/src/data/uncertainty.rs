@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use ::uncertainty::{Bar, End, Estimate, Indices, LEVELS, Shape, Summary};
+use ::uncertainty::{Bar, End, Estimate, Indices, LEVELS, Summary};
 use analysis::{Doubt, Doubtful, ExactValue, REASONS, TakenAsExact, UncertainInput, Uncertainty};
 use case::{Case, CaseFile, Input, Origin};
 use pim_core::VehicleId;
@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
-use super::{identified, pretty, title};
+use super::{distribution_name, identified, pretty, title};
 use crate::outputs::{estimate_source, input_name, reason_name};
 use crate::worth::worth;
 
@@ -259,13 +259,7 @@ fn input_block(input: &UncertainInput) -> InputBlock<'_> {
     InputBlock {
         input: &number.path,
         name: (number.origin != Origin::Given).then(|| input_name(number)),
-        distribution: match distribution.shape() {
-            Shape::Normal { .. } => "normal",
-            Shape::LogNormal { .. } => "log-normal",
-            Shape::Uniform { .. } => "uniform",
-            Shape::Triangular { .. } => "triangular",
-            _ => "other",
-        },
+        distribution: distribution_name(distribution),
         central: number.si(),
         mean: distribution.mean() * factor,
         sd: distribution.sd() * factor,

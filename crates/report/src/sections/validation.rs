@@ -90,8 +90,8 @@ fn foot_pounds(energy: f64) -> String {
     number(energy / FOOT_POUND, 0)
 }
 
-fn degrees(angle: f64) -> String {
-    format!("{}°", signed(angle / DEGREE, 0))
+fn degrees(angle: f64, decimals: usize) -> String {
+    format!("{}°", signed(angle / DEGREE, decimals))
 }
 
 fn tests(tests: &[u8]) -> String {
@@ -324,11 +324,9 @@ fn speed_rates(rates: [(&str, &[ErrorRate; 2]); 3]) -> Vec<Vec<String>> {
 }
 
 fn error_rates(validation: &Validation) -> Vec<Block> {
-    let row = rate_row;
     let dv = &validation.delta_v_errors;
     let speed = &validation.speed_errors;
     let foot = FOOT_PER_SECOND;
-    let header = RATE_COLUMNS;
     vec![
         heading("Error rate"),
         paragraph(
@@ -341,20 +339,20 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
         table(
             1,
             false,
-            &header,
+            &RATE_COLUMNS,
             vec![
-                row("PIM, ours", &dv.pim, foot),
-                row("PIM, the paper's rows", &dv.pim_paper, foot),
-                row("CRASH3 from the published profiles, ours", &dv.crash3, foot),
-                row("CRASH3 from the implied energies, ours", &dv.crash3_implied, foot),
-                row("CRASH3, the paper's rows", &dv.crash3_paper, foot),
+                rate_row("PIM, ours", &dv.pim, foot),
+                rate_row("PIM, the paper's rows", &dv.pim_paper, foot),
+                rate_row("CRASH3 from the published profiles, ours", &dv.crash3, foot),
+                rate_row("CRASH3 from the implied energies, ours", &dv.crash3_implied, foot),
+                rate_row("CRASH3, the paper's rows", &dv.crash3_paper, foot),
             ],
         ),
         paragraph("Errors of the reconstructed speed of vehicle 1, in m/s and as a share of the true speed."),
         table(
             1,
             false,
-            &header,
+            &RATE_COLUMNS,
             speed_rates([
                 ("from the published profiles", &speed.profiles),
                 ("from the implied energies", &speed.implied),
@@ -492,7 +490,7 @@ fn table3(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
             let [c1, c2] = &line.cells;
             vec![
                 line.test.to_string(),
-                degrees(line.turn),
+                degrees(line.turn, 0),
                 feet(c1.ours, 2),
                 feet(c2.ours, 2),
                 feet(c1.paper, 2),
@@ -509,7 +507,7 @@ fn table3(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
         .map(|line| {
             vec![
                 tests(&line.tests),
-                degrees(line.turn),
+                degrees(line.turn, 0),
                 feet(line.ours, 2),
                 feet(line.paper_rows.ours, 3),
                 feet(line.paper_rows.paper, 2),

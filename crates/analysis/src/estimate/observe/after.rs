@@ -20,39 +20,40 @@ const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;
 
 /// The motion after the impact that the case gives.
-pub(super) fn after(subject: Subject<'_>) -> (PostImpactMotion, Notes) {
-    let (mut found, mut notes) = (PostImpactMotion::default(), Notes::default());
-    let Some(after) = &subject.given().after else { return (found, notes) };
+pub(super) fn after(subject: Subject<'_>, notes: &mut Notes) -> PostImpactMotion {
+    let mut found = PostImpactMotion::default();
+    let Some(after) = &subject.given().after else { return found };
     let lateral = |quantity: &Quantity| subject.case.axes.lateral(quantity.si());
-    found.speed = after.speed.as_ref().map(|speed| {
-        let sd = subject.sd("after.speed");
-        notes.default_error(sd.is_none(), subject.key("after.speed"));
-        measured_speed(speed.si(), sd, SPEED_AFTER_ERROR)
-    });
+    found.speed = after
+        .speed
+        .as_ref()
+        .map(|speed| measured_speed(speed.si(), subject.noted_sd("after.speed", notes), SPEED_AFTER_ERROR));
     // A vehicle that stands still has no direction of departure.
     let leaves = after.speed.as_ref().is_none_or(|speed| speed.si() > 0.0);
     found.direction = after.direction.as_ref().filter(|_| leaves).map(|direction| {
-        let sd = subject.sd("after.direction");
-        notes.default_error(sd.is_none(), subject.key("after.direction"));
+        let sd = subject.noted_sd("after.direction", notes);
         Measured { value: lateral(direction), sd: sd.unwrap_or(DIRECTION_AFTER_ERROR) }
     });
     if after.direction.is_some() && !leaves {
         notes.unused.push(Unused { key: subject.key("after.direction"), reason: UnusedReason::NoDirection });
     }
     found.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
-        let (value, sd) = (lateral(rate), subject.sd("after.yaw_rate"));
-        notes.default_error(sd.is_none(), subject.key("after.yaw_rate"));
+        let (value, sd) = (lateral(rate), subject.noted_sd("after.yaw_rate", notes));
         Measured { value, sd: sd.unwrap_or(yaw_rate_error(value)) }
     });
     // Without a yaw rate, the velocity of one of the two is that of the wreck.
     let other = &subject.case.vehicles[subject.id.other().index()];
     let is_alone = other.after.as_ref().is_none_or(|other| other.speed.is_none());
     found.of_common_cg = subject.case.locked_together && is_alone && after.yaw_rate.is_none();
-    (found, notes)
+    found
 }
 
 /// The rest position of a vehicle that is followed, and (m) the errors of the points of its path.
-pub(super) fn rest(subject: Subject<'_>, way: &VehicleMotion) -> ((Option<MeasuredRest>, Vec<f64>), Notes) {
+pub(super) fn rest(
+    subject: Subject<'_>,
+    way: &VehicleMotion,
+    notes: &mut Notes,
+) -> (Option<MeasuredRest>, Vec<f64>) {
     let given = subject.case.estimate.unwrap_or_default();
     let share = given.rest_error.map_or(REST_SHARE, |percent| percent / 100.0);
     let least = given.rest_least_error.as_ref().map_or(REST_LEAST, Quantity::si);
@@ -88,12 +89,11 @@ pub(super) fn rest(subject: Subject<'_>, way: &VehicleMotion) -> ((Option<Measur
             ["x", "y"].map(|of| subject.sd(&format!("after.points[{}].{of}", place + 1)).unwrap_or_default());
         both(far(point.position), surveyed)
     });
-    let mut notes = Notes::default();
     notes.default_error(given.rest_error.is_none(), "estimate.rest_error".to_owned());
     notes.default_error(given.rest_least_error.is_none(), "estimate.rest_least_error".to_owned());
     let has_usual_heading = given.rest_heading_error.is_none() && way.rest.is_some();
     notes.default_error(has_usual_heading, "estimate.rest_heading_error".to_owned());
-    ((rest, points.collect()), notes)
+    (rest, points.collect())
 }
 
 /// (rad/s) the default error of a yaw rate after the impact (rad/s).

@@ -144,8 +144,8 @@ pub(super) fn crush_errors(
     ranges: &[UncertainInput],
     hit: &[DamagedSide],
     is_with_object: bool,
-) -> (CrushErrors, Option<CrushFigures>, Notes) {
-    let mut notes = Notes::default();
+    notes: &mut Notes,
+) -> (CrushErrors, Option<CrushFigures>) {
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
@@ -191,18 +191,15 @@ pub(super) fn crush_errors(
     };
     let figures =
         if is_with_object { FITTED.objects.figures(behind) } else { FITTED.crush_figures(hit, behind) };
-    (errors, figures, notes)
+    (errors, figures)
 }
 
 /// The PDOF of a vehicle, with the error that the case gives or the default one.
-pub(super) fn pdof(subject: Subject<'_>, data: &VehicleData) -> (Option<CodedPdof>, Notes) {
-    let mut notes = Notes::default();
-    let pdof = coded_pdof(data, subject.given()).map(|coded| {
-        let scale = subject.sd("crush.pdof");
-        notes.default_error(scale.is_none(), subject.key("crush.pdof"));
+pub(super) fn pdof(subject: Subject<'_>, data: &VehicleData, notes: &mut Notes) -> Option<CodedPdof> {
+    coded_pdof(data, subject.given()).map(|coded| {
+        let scale = subject.noted_sd("crush.pdof", notes);
         CodedPdof { scale: scale.unwrap_or(coded.scale), ..coded }
-    });
-    (pdof, notes)
+    })
 }
 
 /// The PDOF that the case gives for a vehicle itself.

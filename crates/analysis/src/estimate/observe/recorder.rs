@@ -13,9 +13,8 @@ use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR};
 
 /// The recorder data of a vehicle, with the errors that the case gives or the default ones. `is_side` is true
 /// if the vehicle was hit on a side.
-pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, Notes) {
-    let mut notes = Notes::default();
-    let Some(recorder) = &subject.given().recorder else { return (RecordedData::default(), notes) };
+pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -> RecordedData {
+    let Some(recorder) = &subject.given().recorder else { return RecordedData::default() };
     let axes = subject.case.axes;
     let mut or_default = |of: &str, given: Option<f64>, default: f64| {
         given.unwrap_or_else(|| {
@@ -79,5 +78,5 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
         let at = [at.x.si(), axes.lateral(at.y.si())];
         RecorderPlace { at, yaw_rate: axes.lateral(before) }
     });
-    (RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }, notes)
+    RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }
 }

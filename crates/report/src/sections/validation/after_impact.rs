@@ -5,14 +5,10 @@ use validation::{DEGREE, MotionRow, RestMethod, SpeedEvidence, Validation, speed
 use crate::document::Block;
 use crate::units::number;
 
-use super::{Notes, RATE_COLUMNS, heading, paragraph, signed, speed_rates, spread, table};
+use super::{Notes, RATE_COLUMNS, degrees, heading, paragraph, signed, speed_rates, spread, table};
 
 fn vehicle(test: u8, vehicle: impl std::fmt::Display) -> String {
     format!("{test}.{vehicle}")
-}
-
-fn degrees(angle: f64, decimals: usize) -> String {
-    format!("{}°", signed(angle / DEGREE, decimals))
 }
 
 /// The error in m/s, and in % if the vehicle moved.
