@@ -7,7 +7,6 @@ use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, CrushNumbers, VehicleNumbers};
 use crate::figures::CrushChange;
-use crate::model::DrawnOutput;
 use crate::number::Slot;
 
 /// (m/s) approach speed along the normal below which nothing is crushed.
@@ -182,5 +181,70 @@ impl<N> CrushNumbers<N> {
         let of_slope = 2.0 - of_no_damage;
         // κ = exp(τ z), so ∂ ln κ/∂ ln τ = ln κ
         CrushChange { slope: of_slope, slope_spread: of_slope * ln(slope), no_damage_speed: of_no_damage }
+    }
+}
+
+/// A quantity of each draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawnOutput {
+    /// (m/s) speed before impact along the heading.
+    Speed(VehicleId),
+    /// (m/s) |ΔV|.
+    DeltaV(VehicleId),
+    /// (m/s) component of ΔV along the heading.
+    LongitudinalDeltaV(VehicleId),
+    /// (m/s) component of ΔV to the left of the heading.
+    LateralDeltaV(VehicleId),
+    /// (m/s) −u_n.
+    ClosingSpeed,
+    /// (J) E_L.
+    EnergyLoss,
+    /// (–) e.
+    Restitution,
+    /// (J) crush energy of both vehicles, with the stiffness of the draw, and the ratio of both if only that
+    /// of one is known.
+    CrushEnergy,
+}
+
+impl DrawnOutput {
+    /// All, in the order of the columns.
+    pub const ALL: [Self; 12] = {
+        use VehicleId::{One, Two};
+        [
+            Self::Speed(One),
+            Self::Speed(Two),
+            Self::DeltaV(One),
+            Self::DeltaV(Two),
+            Self::LongitudinalDeltaV(One),
+            Self::LongitudinalDeltaV(Two),
+            Self::LateralDeltaV(One),
+            Self::LateralDeltaV(Two),
+            Self::ClosingSpeed,
+            Self::EnergyLoss,
+            Self::Restitution,
+            Self::CrushEnergy,
+        ]
+    };
+
+    /// Its column.
+    #[must_use]
+    pub fn column(self) -> usize {
+        Self::ALL.iter().position(|other| *other == self).unwrap_or(Self::ALL.len())
+    }
+
+    #[inline(always)]
+    pub(crate) fn of(self, impacted: &Impacted) -> f64 {
+        let outcome = &impacted.outcome;
+        match self {
+            Self::Speed(id) => impacted.speeds[id.index()],
+            Self::DeltaV(id) => outcome.delta_v_magnitude()[id.index()],
+            Self::LongitudinalDeltaV(id) => outcome.delta_v_components()[id.index()][0],
+            Self::LateralDeltaV(id) => outcome.delta_v_components()[id.index()][1],
+            Self::ClosingSpeed => outcome.closing_speed(),
+            Self::EnergyLoss => outcome.energy.loss,
+            // e = −U_n/u_n
+            Self::Restitution => -outcome.separation.normal / outcome.approach.normal,
+            Self::CrushEnergy => impacted.crush_energies[0] + impacted.crush_energies[1],
+        }
     }
 }

@@ -61,7 +61,7 @@ pub use collision::{
 pub use density::Freedom;
 pub use figures::{CRUSH_FIGURES, CrushChange, CrushFigures, OfVehicle};
 pub use fitted::{Behind, DamagedSide, EnergyMethod, FIGURES, FITTED, FigureErrors, Fitted, ObjectFigures};
-pub use impact::{Impacted, Impacts, LEAST_APPROACH, Way};
-pub use model::{CollisionModel, DrawnOutput, NO_IMPACT, Piece, Placed, shown_delta_v};
+pub use impact::{DrawnOutput, Impacted, Impacts, LEAST_APPROACH, Way};
+pub use model::{CollisionModel, NO_IMPACT, Piece, Placed, shown_delta_v};
 pub use number::Number;
 pub use tested::TestedClass;
