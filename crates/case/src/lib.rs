@@ -201,5 +201,5 @@ pub use inputs::{
     SightForm, Skid, SkidBegin, Sourced, Spread, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource,
     StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
     UnitSystem, VehicleData, VehicleKind, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
-    YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
+    YawInertia, YawSource, ZoneData, acts, list_of, shown, shown_lines, word,
 };

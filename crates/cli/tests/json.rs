@@ -372,6 +372,22 @@ fn the_sweep_has_nothing_of_what_is_fixed() {
     assert!(rows.len() == 1 && !rows[0].contains(" 0.00"), "{sweep}");
 }
 
+/// An arm beside an energy keeps its value like one beside a profile.
+#[test]
+fn the_sweep_says_which_arms_of_energies_are_kept() {
+    let vehicle = |id: u8, crush: &str| {
+        format!(
+            "[vehicle{id}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\ncrush = {{ ees = \"40 km/h\", {crush} }}\n"
+        )
+    };
+    let case = vehicle(1, "pdof = \"10 deg\", moment_arm = \"0.3 m\"")
+        + &vehicle(2, "pdof = \"-80 deg\", moment_arm = \"0.5 m\"");
+    let document = json("sensitivity", &case);
+    let kept = ["vehicle1.crush.moment_arm", "vehicle2.crush.moment_arm"];
+    assert_eq!(document["pdof_sweep_held"], serde_json::json!(kept));
+    assert_eq!(document.get("pdof_sweep_turned"), None);
+}
+
 /// Arm and angle from the file are said to be kept or turned, and the nominal row is the answer of `crush`.
 #[test]
 fn the_sweep_says_what_the_file_gives() {

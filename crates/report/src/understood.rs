@@ -4,7 +4,7 @@
 use analysis::{Assumption, AxleMeasure};
 use case::{
     Case, Dimension, GivenValue, Input, Origin, Range, Recorder, SUBJECTS, SWELLS, Spread, Unit, UnitSystem,
-    word,
+    list_of, word,
 };
 use pim_core::VehicleId;
 use recorder::{Channel, RecorderTable};
@@ -125,11 +125,6 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         default("swell_form", word(&SWELLS, &avoid.swell_form.unwrap_or_default()));
     }
     choices
-}
-
-/// The list of which a value is an element, by its path.
-pub(crate) fn list_of(path: &str) -> Option<&str> {
-    Some(path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
 /// Whether a text is shown elsewhere: at the head of a report, next to the number that it is about, or with

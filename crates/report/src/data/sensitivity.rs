@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input, as JSON.
 
 use analysis::Sensitivity;
-use case::{CaseFile, DamageData, Origin};
+use case::{CaseFile, Origin, VehicleData};
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 use serde::Serialize;
@@ -71,8 +71,8 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
         vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
     };
     let document = Document {
-        pdof_sweep_held: paths("moment_arm", given_in_sweep(sensitivity, |damage| damage.moment_arm)),
-        pdof_sweep_turned: paths("oblique_angle", given_in_sweep(sensitivity, |damage| damage.oblique_angle)),
+        pdof_sweep_held: paths("moment_arm", held_in_sweep(sensitivity)),
+        pdof_sweep_turned: paths("oblique_angle", turned_in_sweep(sensitivity)),
         title: title(case),
         axes: case.axes.name(),
         warnings: WarningBlock::all(&sensitivity.nominal, case),
@@ -106,17 +106,23 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
     pretty(&identified(file, document))
 }
 
-/// The vehicles in the sweep for whose damage the file gives a value.
-pub(crate) fn given_in_sweep(
-    sensitivity: &Sensitivity,
-    given: fn(&DamageData) -> Option<f64>,
-) -> Vec<VehicleId> {
+/// The vehicles whose moment arm keeps the value that the file gives while the PDOF turns.
+pub(crate) fn held_in_sweep(sensitivity: &Sensitivity) -> Vec<VehicleId> {
+    given_in_sweep(sensitivity, |vehicle| match &vehicle.damage {
+        Some(damage) => damage.moment_arm,
+        None => vehicle.energy?.moment_arm,
+    })
+}
+
+/// The vehicles whose oblique angle begins with the value that the file gives, and turns with the PDOF.
+pub(crate) fn turned_in_sweep(sensitivity: &Sensitivity) -> Vec<VehicleId> {
+    given_in_sweep(sensitivity, |vehicle| vehicle.damage.as_ref()?.oblique_angle)
+}
+
+fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&VehicleData) -> Option<f64>) -> Vec<VehicleId> {
     if sensitivity.pdof_sweep.is_empty() {
         return Vec::new();
     }
     let vehicles = VehicleId::ALL.into_iter().zip(&sensitivity.nominal.vehicles);
-    vehicles
-        .filter(|(_, vehicle)| vehicle.subject.damage.as_ref().is_some_and(|damage| given(damage).is_some()))
-        .map(|(vehicle, _)| vehicle)
-        .collect()
+    vehicles.filter(|(_, vehicle)| given(&vehicle.subject).is_some()).map(|(vehicle, _)| vehicle).collect()
 }

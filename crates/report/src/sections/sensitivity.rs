@@ -6,7 +6,7 @@ use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 
 use super::chosen::or_none;
-use crate::data::sensitivity::given_in_sweep;
+use crate::data::sensitivity::{held_in_sweep, turned_in_sweep};
 use crate::document::{Column, Document, Table, Width};
 use crate::outputs::{input_name, output_name, output_quantity};
 use crate::units::{Measure, Units, number, significant};
@@ -153,11 +153,11 @@ fn on_the_sweep(sensitivity: &Sensitivity, axes: Axes) -> String {
         _ => "of both vehicles".to_owned(),
     };
     let mut given = String::new();
-    let held = given_in_sweep(sensitivity, |damage| damage.moment_arm);
+    let held = held_in_sweep(sensitivity);
     if !held.is_empty() {
         given.push_str(&format!(" The moment arm {} keeps the value that the file gives.", of(&held)));
     }
-    let turned = given_in_sweep(sensitivity, |damage| damage.oblique_angle);
+    let turned = turned_in_sweep(sensitivity);
     if !turned.is_empty() {
         given.push_str(&format!(
             " The oblique angle {} starts at the value that the file gives, clockwise positive, and turns \

@@ -1,12 +1,12 @@
 //! The inputs: every number of the file in the file's own unit and in SI, its words, and what is assumed.
 
 use analysis::{Analysis, Assumption};
-use case::{CaseFile, Input};
+use case::{CaseFile, Input, list_of};
 
 use crate::document::{Column, NONE, Table, Width};
 use crate::sections::judgement::{ASSUMED, CHOICES, NUMBERS};
 use crate::steps::digits;
-use crate::understood::{self, list_of};
+use crate::understood;
 use crate::units::Units;
 
 /// The tables that have rows.
