@@ -9,6 +9,7 @@ use reconcile::are_collinear;
 use crate::analysis::Analysis;
 use crate::evident::Evident;
 use crate::found::Found;
+use crate::given::certain_limits;
 use crate::recorded::with_records_of_impact;
 use crate::speeds::BothMethod;
 use crate::thresholds::{
@@ -169,14 +170,12 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                 }
             }
         }
-        if let Some(certain) = &vehicle.certain_speed {
-            let limit = |limit: &Option<Quantity>| limit.as_ref().map(Quantity::si);
-            if let Some(least) = limit(&certain.at_least).filter(|least| speed < least - SPEED_ROUNDING) {
-                add(Evident::AtLeast, least, speed);
-            }
-            if let Some(most) = limit(&certain.at_most).filter(|most| speed > most + SPEED_ROUNDING) {
-                add(Evident::AtMost, most, speed);
-            }
+        let [least, most] = certain_limits(vehicle);
+        if let Some(least) = least.filter(|least| speed < least - SPEED_ROUNDING) {
+            add(Evident::AtLeast, least, speed);
+        }
+        if let Some(most) = most.filter(|most| speed > most + SPEED_ROUNDING) {
+            add(Evident::AtMost, most, speed);
         }
     }
     warnings

@@ -316,10 +316,7 @@ fn found(
     let hidden_by = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
     let outlines: Vec<_> = hidden_by.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
-    let ways_of = |sight: &SightForm| {
-        let response = scene::response(form)?;
-        Ways::of(sight, sought.other, &response)
-    };
+    let ways_of = |sight: &SightForm| Ways::of(sight, sought.other, form);
     let ways = form.sight.as_ref().map(ways_of).transpose().map_err(|refusal| unposed(form, refusal))?;
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());

@@ -22,6 +22,7 @@ use pim_core::VehicleId;
 use crate::aside;
 use crate::excluded::{Impossible, key};
 use crate::failure::Failure;
+use crate::given::certain_limits;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
@@ -353,8 +354,8 @@ pub fn estimate(
 /// Whether the case allows that a vehicle was backing.
 pub(crate) fn may_back(case: &Case, id: VehicleId) -> bool {
     let vehicle = &case.vehicles[id.index()];
-    let at_least = vehicle.certain_speed.and_then(|certain| certain.at_least);
-    vehicle.fixed || vehicle.motion.is_some() || at_least.is_some_and(|least| least.si() < 0.0)
+    let [least, _] = certain_limits(vehicle);
+    vehicle.fixed || vehicle.motion.is_some() || least.is_some_and(|least| least < 0.0)
 }
 
 impl There<'_> {

@@ -457,6 +457,25 @@ fn the_view_becomes_free_where_the_line_passes_the_corner() {
     assert!((free(&asked(&turned)).time - expected).abs() < 1e-9, "{turned}");
 }
 
+/// A case with a house whose corner (−3, −`corner`) hides the other vehicle, which comes along y, and other
+/// lines before `[avoid]`.
+fn behind_a_house(before: &str, demand: &str, corner: &str) -> String {
+    format!(
+        r#"
+        {before}
+        [avoid]
+        vehicle = "vehicle1"
+        unbraked = true
+        limit = "50 km/h"
+        reaction_time = "1 s"
+        deceleration = "7 m/s^2"
+        demand = {demand}
+        [[avoid.obstacle]]
+        polygon = [{{ x = "-3 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-300 m" }}, {{ x = "-3 m", y = "-300 m" }}]
+        "#
+    )
+}
+
 /// The other vehicle braked from 13 m/s to 5 m/s in the last 2 s, so that it had d = 5 t + 2 t² to go, and
 /// 18 m + 13 (t − 2) before that. The line from the eye (−20 t, 0) to its front (0, −d) passes the corner
 /// (−3, −y) of a house where d (1 − 3/(20 t)) = y: for y = 4 m at 2 t² + 4.7 t − 4.75 = 0, and for y = 30 m
@@ -467,26 +486,10 @@ fn the_other_vehicle_comes_into_sight_as_its_phases_or_its_skid_tell() {
     let phase = "phase = [{ time = \"2 s\", acceleration = \"-4 m/s^2\" }]";
     let skid = format!("skid = {{ length = \"18 m\", friction = {} }}", 4.0 / 9.806_65);
     for ((corner, expected), before) in roots.iter().flat_map(|root| [(root, phase), (root, &skid)]) {
-        let text = format!(
-            r#"
-            [vehicle1]
-            speed = "20 m/s"
-            heading = "0 deg"
-            [vehicle2]
-            speed = "5 m/s"
-            heading = "90 deg"
-            before.{before}
-            [avoid]
-            vehicle = "vehicle1"
-            unbraked = true
-            limit = "50 km/h"
-            reaction_time = "1 s"
-            deceleration = "7 m/s^2"
-            demand = {{ sight = true }}
-            [[avoid.obstacle]]
-            polygon = [{{ x = "-3 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-{corner} m" }}, {{ x = "-300 m", y = "-300 m" }}, {{ x = "-3 m", y = "-300 m" }}]
-            "#
+        let came = format!(
+            "[vehicle1]\nspeed = \"20 m/s\"\nheading = \"0 deg\"\n[vehicle2]\nspeed = \"5 m/s\"\nheading = \"90 deg\"\nbefore.{before}"
         );
+        let text = behind_a_house(&came, "{ sight = true }", corner);
         let found = asked(&text);
         let sight = free(&found);
         assert!((sight.time - expected).abs() < 1e-9, "{corner} {before}: {sight:?} for {expected}");
@@ -510,22 +513,7 @@ fn the_other_vehicle_comes_into_sight_as_its_phases_or_its_skid_tell() {
 /// recorder tells that alone, with its error, or the other vehicle's speed is to be found, too.
 #[test]
 fn the_speed_of_the_other_in_sight_is_that_of_its_recorder_or_of_the_evidence() {
-    let text = |before: &str| {
-        format!(
-            r#"
-            {before}
-            [avoid]
-            vehicle = "vehicle1"
-            unbraked = true
-            limit = "50 km/h"
-            reaction_time = "1 s"
-            deceleration = "7 m/s^2"
-            demand = {{ time = "2 s" }}
-            [[avoid.obstacle]]
-            polygon = [{{ x = "-3 m", y = "-4 m" }}, {{ x = "-300 m", y = "-4 m" }}, {{ x = "-300 m", y = "-300 m" }}, {{ x = "-3 m", y = "-300 m" }}]
-            "#
-        )
-    };
+    let text = |before: &str| behind_a_house(before, "{ time = \"2 s\" }", "4");
     let recorded = r#"
         [vehicle1]
         speed = "20 m/s"

@@ -231,18 +231,27 @@ impl Approach {
     }
 
     /// Of another vehicle, with its speed at the impact (m/s): steady where nothing is known of it. Before a
-    /// skid, its brakes build up as those of the response do.
+    /// skid, its brakes build up as those of the response do. The last leg is after the impact: it keeps its
+    /// deceleration until it stands, and otherwise its speed.
     pub(super) fn of_other(
         braking: &BrakingForm,
         at_impact: f64,
         response: &Response,
-    ) -> Result<Self, InvalidInput> {
-        if let BrakingForm::Skid { length, friction } = braking {
+    ) -> Result<Self, Unposed> {
+        let mut approach = if let BrakingForm::Skid { length, friction } = braking {
             let slowed = response.with_reaction(0.0).with_deceleration(friction * STANDARD_GRAVITY);
-            return Ok(Self::skidded(&slowed, at_impact, length.si()));
-        }
-        let (phases, leads_to) = stretches(braking, Some(at_impact))?;
-        Self::back(&phases, leads_to.unwrap_or(at_impact))
+            Self::skidded(&slowed, at_impact, length.si())
+        } else {
+            let back = |(phases, leads_to): (Vec<Phase>, Option<f64>)| {
+                Self::back(&phases, leads_to.unwrap_or(at_impact))
+            };
+            stretches(braking, Some(at_impact)).and_then(back).map_err(Unposed::OtherPhases)?
+        };
+        let speed = approach.at_impact;
+        let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
+        let acceleration = if speed > 0.0 { last.min(0.0) } else { 0.0 };
+        approach.legs.push(Leg { speed, acceleration, ..Leg::at_rest(0.0, 0.0) });
+        Ok(approach)
     }
 
     /// Braked at once, with full deceleration over a length (m).

@@ -56,12 +56,9 @@ impl SameLine {
             Along::Ahead => (Along::Oncoming, -speed),
             Along::Oncoming => (Along::Ahead, -speed),
         };
-        let mut approach =
-            Approach::of_other(&form.motion.braking, speed, response).map_err(Unposed::OtherPhases)?;
-        let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
+        let approach = Approach::of_other(&form.motion.braking, speed, response)?;
         let speed = approach.at_impact;
-        let deceleration = if speed > 0.0 { (-last).max(0.0) } else { 0.0 };
-        approach.legs.push(Leg { speed, acceleration: -deceleration, ..Leg::at_rest(0.0, 0.0) });
+        let deceleration = approach.legs.last().map_or(0.0, |after| 0.0 - after.acceleration);
         let (driven, own, _) = Driven::new(approach, Since::Time(time))?;
         let sign = match along {
             Along::Ahead => 1.0,

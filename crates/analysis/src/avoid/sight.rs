@@ -3,7 +3,7 @@
 use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, SightForm, SpeedForm};
 use pim_core::Vector2;
 use real::Real;
-use time_distance::{Leg, Response, first_sight, free_since, sees};
+use time_distance::{first_sight, free_since, sees};
 
 use super::driven::{Approach, Driven};
 use super::posing::{Since, SoughtSpeeds, Unposed};
@@ -108,16 +108,14 @@ pub(crate) struct Ways {
 
 impl Ways {
     /// With the speed of the other vehicle at the impact (m/s), where the rest of the case tells that. Its
-    /// brakes build up as those of the response do.
-    pub(crate) fn of(form: &SightForm, sought: Option<f64>, response: &Response) -> Result<Self, Unposed> {
-        let speed = form.other.speed_at_impact(sought).ok_or(Unposed::OtherUnknown)?;
+    /// brakes build up as those of `[avoid]` do.
+    pub(crate) fn of(sight: &SightForm, sought: Option<f64>, form: &AvoidForm) -> Result<Self, Unposed> {
+        let speed = sight.other.speed_at_impact(sought).ok_or(Unposed::OtherUnknown)?;
         // The phases of one that backs are those of that way.
         let sign = if speed < 0.0 { -1.0 } else { 1.0 };
-        let mut approach =
-            Approach::of_other(&form.other.braking, speed.abs(), response).map_err(Unposed::OtherPhases)?;
-        approach.legs.push(Leg { speed: approach.at_impact, ..Leg::at_rest(0.0, 0.0) });
+        let approach = Approach::of_other(&sight.other.braking, speed.abs(), &response(form)?)?;
         let (other, _, _) = Driven::new(approach, Since::Time(0.0))?;
-        let ways = [Way::of(&form.eye, &form.path), Way::of(&form.point, &form.other_path)];
+        let ways = [Way::of(&sight.eye, &sight.path), Way::of(&sight.point, &sight.other_path)];
         Ok(Self { ways, other, sign })
     }
 
@@ -210,8 +208,7 @@ pub(super) fn pose(
     sought: SoughtSpeeds,
     obstacles: Outlines<'_>,
 ) -> Result<AvoidScene, Unposed> {
-    let response = response(form)?;
-    let ways = form.sight.as_ref().map(|sight| Ways::of(sight, sought.other, &response)).transpose()?;
+    let ways = form.sight.as_ref().map(|sight| Ways::of(sight, sought.other, form)).transpose()?;
     let (since, of_sight) = match (given_demand(form)?, &ways) {
         (Some(since), _) => (since, None),
         (None, None) => return Err(Unposed::NeverHidden),

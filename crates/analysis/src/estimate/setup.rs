@@ -679,10 +679,9 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     };
     VehicleId::ALL.map(|id| {
         let vehicle = &case.vehicles[id.index()];
-        let at_least = vehicle.certain_speed.and_then(|certain| certain.at_least);
-        let at_most = vehicle.certain_speed.and_then(|certain| certain.at_most);
-        let certainly_moved = at_least.is_some_and(|speed| speed.si() > 0.0)
-            || at_most.is_some_and(|speed| speed.si() < 0.0)
+        let [least, most] = certain_limits(vehicle);
+        let certainly_moved = least.is_some_and(|speed| speed > 0.0)
+            || most.is_some_and(|speed| speed < 0.0)
             || vehicle.recorder.as_ref().is_some_and(|recorder| recorder.tells_speed(ground).is_some());
         let may_stand = sought[id.index()] && may_move(id.other()) && !certainly_moved;
         if may_stand { given } else { 0.0 }
