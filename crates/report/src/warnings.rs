@@ -330,9 +330,10 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::SeveralSpeeds { answer, others } => {
             let all: Vec<String> = others.iter().map(|&si| speed(si)).collect();
             format!(
-                "not only {} gives the crush energy, but also {}; the answer is the speed within certain_speed \
-                 (without it, 0 to {}) with which the vehicles move least relative to each other; only other \
-                 evidence can show that it is the right one: give certain_speed, rest positions or marks",
+                "the damage fits several speeds: {}, which is the answer, but also {}; of those that certain_speed \
+                 allows (without it, 0 to {}), the answer is the one with which the vehicles move least relative \
+                 to each other; the damage cannot show that it is right: give certain_speed, rest positions or \
+                 marks if you have them",
                 speed(*answer),
                 all.join(", "),
                 units.format(Measure::RoadSpeed, FASTEST_BELIEVED)
