@@ -10,14 +10,14 @@ mod sight;
 
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_6;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::Arc;
 
 use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
-    Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind, Faults,
-    Find, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
+    Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
+    Faults, Find, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -38,7 +38,7 @@ use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
 use crate::columns::Number;
 use crate::commands::{reconstruct, uncertainty_of};
 use crate::estimate::{
-    EstimatePlan, EstimateStage, Estimated, NoEstimate, PieceDetail, PieceFound, estimate,
+    EstimatePlan, EstimateStage, Estimated, NoEstimate, PieceDetail, PieceFound, estimate, estimate_evidence,
 };
 use crate::failure::Failure;
 use crate::given::GivenSpeed;
@@ -113,6 +113,12 @@ pub struct Avoidance {
     /// (m/s) speeds of the other vehicle at the impact that contradict each other: by the demand, and by the
     /// rest of the case.
     pub other_speeds: Option<[f64; 2]>,
+    /// (m/s) speeds of the vehicle at the impact that contradict each other: that of the answer, and that of
+    /// its own recorder.
+    pub own_speeds: Option<[f64; 2]>,
+    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes
+    /// the median of all evidence, which tells how certain it is.
+    pub exact_speed: Option<f64>,
     /// The speed that the rest of the case tells, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
@@ -234,6 +240,16 @@ impl Avoidance {
         estimated.map_or(&[], |estimated| &estimated.pieces)
     }
 
+    /// (–) probability that the other vehicle was stationary, where its motion counts and the evidence leaves
+    /// that open: the median of its speed is then that of neither case.
+    #[must_use]
+    pub fn other_may_have_stood(&self) -> Option<f64> {
+        let estimated = self.told.as_ref()?.estimated.as_ref()?;
+        let stood = estimated.stood[self.vehicle.other().index()]?.after.value;
+        let counts = self.scene.clears.is_some() || self.scene.same_line.is_some() || self.hiding.is_some();
+        (counts && OPEN.contains(&stood)).then_some(stood)
+    }
+
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
     /// (s) before the impact, in the coordinates of the scene; `None` if the case does not tell how both
     /// came.
@@ -263,7 +279,7 @@ pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
     let given = with_records_of_impact(case);
     let form = given.case.avoidance()?;
     match form.speed {
-        SpeedForm::Sought => Ok(None),
+        SpeedForm::Sought => Told::can_be(&given.case, form.vehicle).map(|()| None),
         SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => {
             found(&given, &form, None, None).map(Some)
         }
@@ -322,6 +338,9 @@ fn found(
         return Err(hides_the_impact(case, index).into());
     }
     let scene = sight::pose(form, sought, &obstacles).map_err(|refusal| unposed(form, refusal))?;
+    if is_hit_from_behind(case, form.vehicle, sought.other, scene.at_impact) {
+        return Err(unposed(form, Unposed::FromBehind));
+    }
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
@@ -352,6 +371,10 @@ fn found(
     };
     let nearly_along = case.off_the_line().filter(is_near);
     let other_speeds = other_speeds(case, form, scene.same_line.as_ref(), other);
+    let is_given = matches!(speed_from, SpeedSource::AtDemand | SpeedSource::AtImpact | SpeedSource::Phases);
+    let own_recorder = if is_given { RecordedSpeed::of(case, form.vehicle) } else { None };
+    let own_speeds = own_recorder.and_then(|recorded| recorded.against(scene.at_impact));
+    let exact_speed = told.as_ref().and_then(|told| told.exact);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| ways_of(&case.avoid_plan()?).ok());
@@ -369,6 +392,8 @@ fn found(
         speed_warnings,
         nearly_along,
         other_speeds,
+        own_speeds,
+        exact_speed,
         told,
     })
 }
@@ -381,6 +406,9 @@ struct Told {
     speed: f64,
     /// (m/s) of the other one, if that is found too.
     other: Option<f64>,
+    /// (m/s) that of the vehicle by the exact solution, where it would lead, and `speed` is the median of all
+    /// evidence.
+    exact: Option<f64>,
     estimated: Option<Box<Estimated>>,
     /// What that solution warns of.
     warnings: Vec<Warning>,
@@ -421,13 +449,24 @@ impl Told {
         let output = |of: VehicleId| -> Option<f64> {
             Some(estimated.as_ref()?.output(SPEED.of_vehicle(of))?.posterior.median.value)
         };
-        if let Some(exact) = exact {
+        // Its speed and its probability are of one distribution.
+        let is_weighed = estimated.as_ref().is_some_and(|estimated| estimated.no_answer().is_none());
+        let leading = exact.as_ref().map(|exact| exact.speed(vehicle));
+        if let Some(exact) = exact.filter(|_| !is_weighed) {
             let speed = exact.speed(vehicle);
             let seeks_both = alone.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both);
             let other = seeks_both.then(|| exact.speed(vehicle.other()));
             let sampled = if estimated.is_none() { sampled(alone, vehicle, plan, progress)? } else { None };
             let warnings = exact.warnings;
-            return Ok(Self { from: SpeedSource::Reconstructed, speed, other, estimated, warnings, sampled });
+            return Ok(Self {
+                from: SpeedSource::Reconstructed,
+                speed,
+                other,
+                exact: None,
+                estimated,
+                warnings,
+                sampled,
+            });
         }
         if let Some(speed) = output(vehicle) {
             let other = output(vehicle.other());
@@ -436,6 +475,7 @@ impl Told {
                 from: SpeedSource::Estimated,
                 speed,
                 other,
+                exact: leading,
                 estimated,
                 warnings,
                 sampled: None,
@@ -445,6 +485,29 @@ impl Told {
             (Some(told), _) => Ok(told),
             (None, Some(failure)) if alone.reconstruct.is_some() || alone.impact.is_some() => Err(failure),
             (None, _) => Err(no_speed(vehicle).into()),
+        }
+    }
+
+    /// Whether the rest of the case has what a speed takes, as far as that shows before it is solved.
+    fn can_be(case: &Case, vehicle: VehicleId) -> Result<(), Failure> {
+        let alone = &*case.without_avoid();
+        let is_posed = match alone.reconstruct {
+            Some(_) if alone.is_by_momentum() => alone.two_speeds().is_ok(),
+            Some(_) => alone.reconstruction().is_ok(),
+            None => false,
+        };
+        if is_posed
+            || Self::of_recorder(alone, vehicle, &AvoidPlan { samples: 0, ..AvoidPlan::default() }).is_some()
+        {
+            return Ok(());
+        }
+        match estimate_evidence(alone) {
+            Err(Failure::Case(faults)) if alone.reconstruct.is_some() || alone.impact.is_some() => {
+                Err(Failure::Case(faults))
+            }
+            Err(Failure::Case(_)) => Err(no_speed(vehicle).into()),
+            // Other faults are only found when it is solved.
+            _ => Ok(()),
         }
     }
 
@@ -460,6 +523,7 @@ impl Told {
             from: SpeedSource::Recorder,
             speed: found.quantile(0.5),
             other: None,
+            exact: None,
             estimated: None,
             warnings: Vec::new(),
             sampled: Some([(0..plan.samples).map(draw).collect(), Vec::new()]),
@@ -471,7 +535,7 @@ impl Told {
     }
 }
 
-/// The speed of the other vehicle at the impact by its own recorder.
+/// The speed of a vehicle at the impact by its own recorder.
 enum RecordedSpeed {
     /// (m/s) as stored, and the standard deviation of that.
     Stored { speed: f64, sd: f64 },
@@ -489,6 +553,13 @@ impl RecordedSpeed {
         }
         let speed = told.speed;
         Some(Self::Stored { speed, sd: speed * told.error.unwrap_or(RECORDER_SPEED_ERROR) })
+    }
+
+    /// (m/s) the speed of an answer and the recorded one, if they contradict each other.
+    fn against(&self, speed: f64) -> Option<[f64; 2]> {
+        let [least, most] = [1.0 - SURELY, SURELY].map(|probability| self.quantile(probability));
+        let apart = (least - speed).max(speed - most);
+        (apart > NEGLIGIBLE).then(|| [speed, self.quantile(0.5)])
     }
 
     fn quantile(&self, probability: f64) -> f64 {
@@ -675,6 +746,20 @@ fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
     other.fixed || other.is_absent() || speed.is_some_and(|speed| speed <= 0.0)
 }
 
+/// Whether the other vehicle ran into the rear of this one, which has this speed at the impact (m/s): they
+/// move in nearly the same direction, touch behind the centre of gravity of this one and in front of that of
+/// the other, and the other was not slower, as far as is known.
+fn is_hit_from_behind(case: &Case, vehicle: VehicleId, other: Option<f64>, speed: f64) -> bool {
+    let is_along =
+        case.off_the_line().is_some_and(|off| off.along == Along::Ahead && off.angle <= NEARLY_ALONG);
+    let ahead = [vehicle, vehicle.other()].map(|id| {
+        let contact = case.vehicles[id.index()].contact.as_ref();
+        contact.map_or(0.0, |contact| contact.xy()[0])
+    });
+    let other = other.or_else(|| Some(GivenSpeed::of_known(case, vehicle.other())?.speed));
+    is_along && ahead[0] < 0.0 && ahead[1] > 0.0 && other.is_none_or(|other| other > speed)
+}
+
 /// (rad) 30°. Vehicles whose lines enclose no more move along with each other, or towards each other, rather
 /// than across: half of that is lost, sin 30°, at most.
 pub const NEARLY_ALONG: f64 = FRAC_PI_6;
@@ -685,6 +770,13 @@ const ALONG: f64 = 0.5 * COLLINEAR;
 /// Speeds at the impact that differ by this share of the greater one contradict each other, as few ranges
 /// are wider.
 const CONTRADICTS: f64 = 0.25;
+
+/// (–) probabilities that leave open whether a vehicle stood.
+const OPEN: RangeInclusive<f64> = 0.05..=0.95;
+
+/// (–) probability with which a recorded speed is below its upper bound, and above the lower one: three
+/// standard deviations.
+const SURELY: f64 = 0.998_65;
 
 /// (m/s) 5 km/h: what nobody measures.
 const NEGLIGIBLE: f64 = 5.0 / 3.6;
@@ -800,6 +892,18 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             ),
             format!(
                 "check the speeds and the headings; to ask about the other driver, write vehicle = \"vehicle{}\" in [avoid]",
+                form.vehicle.other()
+            ),
+        ),
+        Unposed::FromBehind => (
+            "avoid.vehicle".to_owned(),
+            format!(
+                "by the contact points, vehicle {} ran into the rear of vehicle {}, whose driver could not have avoided that by braking",
+                form.vehicle.other(),
+                form.vehicle
+            ),
+            format!(
+                "ask about the other driver: vehicle = \"vehicle{}\" in [avoid]; or check `contact` and the headings",
                 form.vehicle.other()
             ),
         ),

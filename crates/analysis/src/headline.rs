@@ -164,7 +164,8 @@ pub fn weigh(
     let solutions = solutions(case, exact, &estimated);
     for vehicle in VehicleId::ALL.into_iter().filter(|id| !may_back(case, *id)) {
         let speeds = solutions.iter().filter_map(|solution| solution.speeds[vehicle.index()]);
-        if let Some(speed) = speeds.filter(|speed| *speed < BACKS).min_by(f64::total_cmp) {
+        let backs = speeds.filter(|speed| (-FASTEST_BACK..BACKS).contains(speed));
+        if let Some(speed) = backs.min_by(f64::total_cmp) {
             // It names the speed, which the estimate did not know.
             let is_same =
                 |one: &Warning| matches!(one, Warning::MayHaveBacked { vehicle: of, .. } if *of == vehicle);
@@ -197,6 +198,8 @@ impl Weighed {
 
 /// (m/s) an exact solution that is slower than this did not just round a stop: -2 m/s, as fast as a walk.
 const BACKS: f64 = -2.0;
+/// (m/s) 30 km/h: a solution that is faster backward is wrong, and not that of a vehicle that backed.
+pub const FASTEST_BACK: f64 = 30.0 / 3.6;
 
 /// The exact solutions: the one that the analysis details, and those by other parts of the evidence.
 fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Solution> {

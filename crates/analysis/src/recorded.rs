@@ -1,10 +1,12 @@
 //! The readings of the recorders of a case on their own, and which of their records is of its impact.
 
 use std::borrow::Cow;
+use std::f64::consts::FRAC_PI_6;
 
+use crash3::EnergyBasis;
 use inputs::{
-    Case, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, OtherImpact, Pdof, Quantity, Recorder,
-    RecordersDeltaV, SeriesSource,
+    Case, Dimension, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, OtherImpact, Pdof, Quantity,
+    Recorder, RecordersDeltaV, SeriesSource,
 };
 use pim_core::VehicleId;
 use recorder::{
@@ -14,6 +16,8 @@ use recorder::{
 
 use crate::damage;
 use crate::failure::Failure;
+use crate::normal_force::reference;
+use crate::vehicle::Vehicle;
 
 /// The readings of the recorders of both vehicles on their own.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +66,8 @@ pub struct OfImpact {
     pub event: EventRecord,
     /// The impact as the damage shows it.
     pub impact: KnownImpact,
+    /// The errors with which the two were compared.
+    pub errors: MatchErrors,
     /// (1) probability that it is of this impact.
     pub probability: f64,
     /// Why it cannot be, if it cannot.
@@ -78,38 +84,79 @@ pub struct OfImpact {
 const TAKEN: f64 = 0.5;
 
 /// (rad) the PDOF that the case gives for a vehicle.
-fn given_pdof(case: &Case, id: VehicleId) -> Option<f64> {
+pub(crate) fn given_pdof(case: &Case, id: VehicleId) -> Option<f64> {
     let vehicle = &case.vehicles[id.index()];
     let of_crush = vehicle.crush.as_ref().and_then(|crush| crush.pdof.as_ref());
     let of_energy = vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|given| given.pdof.as_ref());
     of_crush.or(of_energy).map(Pdof::rad)
 }
 
-/// The impact of the case as the damage of both vehicles shows it: its ΔV by CRASH3, if the case has what
-/// that needs, and its direction.
-fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
-    let given = given_pdof(case, id);
-    let assessed = case.damage().ok().and_then(|input| {
+/// The damage of both vehicles, and what CRASH3 makes of its energy.
+struct Assessed {
+    vehicles: [Vehicle; 2],
+    basis: EnergyBasis,
+    restitution: Option<f64>,
+}
+
+impl Assessed {
+    fn of(case: &Case) -> Option<Self> {
+        let input = case.damage().ok()?;
         let vehicles = damage::assess(input.vehicles, [None, None]).ok()?;
-        Some((vehicles, input.basis.energy(), input.restitution))
-    });
-    let Some((vehicles, basis, restitution)) = assessed else {
-        return KnownImpact { force_direction: given, delta_v: None };
-    };
-    let pdof = vehicles[id.index()].crash3_pdof();
+        Some(Self { vehicles, basis: input.basis.energy(), restitution: input.restitution })
+    }
+
+    /// (m/s) the ΔV of a vehicle.
+    fn delta_v(&self, id: VehicleId) -> Option<f64> {
+        let found = damage::crash3(&self.vehicles, self.basis, self.restitution).ok().flatten()?;
+        let whole = found.corrected.map_or(found.delta_v, |corrected| corrected.delta_v)[id.index()];
+        Some(whole * found.restitution_factor.unwrap_or(1.0)).filter(|delta_v| *delta_v > 0.0)
+    }
+}
+
+/// The case with forces normal to the crush plane, and the PDOF (rad) that each vehicle then has.
+fn with_normal_forces(case: &Case) -> Option<(Case, [f64; 2])> {
+    let directions = reference(&case.geometry().ok()?);
+    let mut case = case.clone();
+    for (vehicle, direction) in case.vehicles.iter_mut().zip(directions) {
+        let pdof = Quantity::from_si(direction, Dimension::Angle).ok().map(Pdof::Angle);
+        if let Some(crush) = &mut vehicle.crush {
+            crush.pdof = pdof;
+        }
+        if let Some(KnownEnergy::Ees(ees)) = &mut vehicle.energy {
+            ees.pdof = pdof;
+        }
+    }
+    Some((case, directions))
+}
+
+/// (rad) 30°: standard deviation of a direction of force that is taken as normal to the crush plane. Friction
+/// turns the force by up to that and a little more.
+const OF_NORMAL: f64 = FRAC_PI_6;
+
+/// The impact of the case as the damage of both vehicles shows it: its ΔV by CRASH3, if the case has what
+/// that needs, and its direction, which is normal to the crush plane if the case gives none; and with which
+/// errors a record is compared with it.
+fn known_impact(case: &Case, id: VehicleId) -> (KnownImpact, MatchErrors) {
     // It is unknown what a lone vehicle struck, and so is its ΔV.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten().filter(|_| !alone);
-    let delta_v = found.map(|found| {
-        let whole = found.corrected.map_or(found.delta_v, |corrected| corrected.delta_v)[id.index()];
-        whole * found.restitution_factor.unwrap_or(1.0)
-    });
-    KnownImpact { force_direction: given.or(pdof), delta_v: delta_v.filter(|delta_v| *delta_v > 0.0) }
+    let of = |assessed: Option<Assessed>, given: Option<f64>| {
+        let pdof = assessed.as_ref().and_then(|assessed| assessed.vehicles[id.index()].crash3_pdof());
+        let delta_v = assessed.filter(|_| !alone).and_then(|assessed| assessed.delta_v(id));
+        KnownImpact { force_direction: given.or(pdof), delta_v }
+    };
+    let has_direction = VehicleId::ALL.into_iter().any(|id| given_pdof(case, id).is_some());
+    match with_normal_forces(case).filter(|_| !has_direction && !alone) {
+        Some((case, directions)) => {
+            let errors = MatchErrors { direction: OF_NORMAL, ..MatchErrors::default() };
+            (of(Assessed::of(&case), Some(directions[id.index()])), errors)
+        }
+        None => (of(Assessed::of(case), given_pdof(case, id)), MatchErrors::default()),
+    }
 }
 
 /// The records of a vehicle, each as a recorder with that record only, and whether it is of the impact.
 fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, OfImpact)> {
-    let impact = known_impact(case, id);
+    let (impact, errors) = known_impact(case, id);
     let stored: Vec<Recorder> = if recorder.records.is_empty() {
         vec![recorder.clone()]
     } else {
@@ -120,7 +167,7 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
     let mut impacts: Vec<KnownImpact> = recorder.other_impacts.iter().map(OtherImpact::known).collect();
     let place = recorder.other_impacts.partition_point(|other| !other.after);
     impacts.insert(place, impact);
-    let found = match_records(&events, &impacts, &MatchErrors::default());
+    let found = match_records(&events, &impacts, &errors);
     let probabilities: Vec<f64> = found.iter().map(|found| found.impacts[place]).collect();
     let other = |k: usize| {
         let others = found[k].impacts.iter().enumerate().filter(|(impact, _)| *impact != place);
@@ -133,6 +180,7 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         since_previous: recorder.records.get(k).and_then(|one| one.since_previous.as_ref()).map(Quantity::si),
         event: events[k],
         impact,
+        errors,
         probability: probabilities[k],
         cannot: found[k].cannot[place],
         other: other(k),
@@ -290,7 +338,8 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         Some(VehicleReading { others: readings, ..first })
     });
     if vehicles.iter().all(Option::is_none) {
-        let reason = "no vehicle has a table of a recorder".to_owned();
+        let reason =
+            "no recorder of the case has a table: neither `pre_crash`, nor `pulse`, nor `records`".to_owned();
         let advice =
             "give one in [vehicle1.recorder] or [vehicle2.recorder]: pre_crash = { file = \"edr.csv\" }, \
                       or pre_crash = { text = \"\"\"…\"\"\" } with the table as copied from the report"

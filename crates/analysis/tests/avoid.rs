@@ -650,6 +650,90 @@ fn a_demand_that_contradicts_the_speed_of_the_other_is_told() {
     assert_eq!(of(kept, "speed = \"14 km/h\""), None);
 }
 
+/// The way out has a speed of its own, which says nothing of how the other came: without it, the sight is the
+/// same. The place and the time are those of the test of the phases above.
+#[test]
+fn the_speed_of_the_way_out_is_not_that_of_the_approach() {
+    let came = "[vehicle1]\nspeed = \"20 m/s\"\nheading = \"0 deg\"\n[vehicle2]\nspeed = \"5 m/s\"\nheading = \"90 deg\"\n\
+                before.phase = [{ time = \"2 s\", acceleration = \"-4 m/s^2\" }]";
+    let clear = "[avoid.clear]\ndistance = \"4 m\"\nspeed = \"9 m/s\"\n";
+    let found = asked(&format!("{}\n{clear}", behind_a_house(came, "{ sight = true }", "4")));
+    let expected = (60.09_f64.sqrt() - 4.7) / 4.0;
+    assert!((free(&found).time - expected).abs() < 1e-9, "{:?} for {expected}", free(&found));
+    assert!((found.scene.clears.unwrap().after - 4.0 / 9.0).abs() < 1e-12);
+}
+
+/// From a stop over 16 m with 2 m/s², the other comes at √(2·2·16) = 8 m/s, and goes on so.
+#[test]
+fn the_phases_of_the_other_tell_how_fast_it_goes_on() {
+    let found = asked(
+        "[vehicle1]\nspeed = \"20 m/s\"\n[vehicle2.before]\n\
+         phase = [{ speed = \"0 m/s\", distance = \"16 m\", acceleration = \"2 m/s^2\" }]\n[avoid]\nlimit = \"50 km/h\"\n\
+         vehicle = \"vehicle1\"\nunbraked = true\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = { distance = \"30 m\" }\n\
+         clear = { distance = \"4 m\" }\n",
+    );
+    assert!((found.scene.clears.unwrap().after - 0.5).abs() < 1e-12);
+}
+
+/// The contact point is behind the CG of vehicle 1 and in front of that of vehicle 2: that one ran into it,
+/// unless it was slower. Swapped, vehicle 1 ran into vehicle 2.
+#[test]
+fn who_is_hit_from_behind_is_not_asked_to_brake() {
+    let of = |[own, other]: [&str; 2], heading: &str, speed: &str| {
+        let text = format!(
+            "[vehicle1]\nheading = \"0 deg\"\nspeed = \"40 km/h\"\ncontact = {{ x = \"{own} m\", y = \"0 m\" }}\n[vehicle2]\n\
+             heading = \"{heading} deg\"\n{speed}\ncontact = {{ x = \"{other} m\", y = \"0 m\" }}\n[avoid]\nlimit = \"50 km/h\"\n\
+             vehicle = \"vehicle1\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\n\
+             unbraked = true\n"
+        );
+        let refusal = asked_with(&text, AvoidPlan::default()).err().map(|failure| failure.to_string());
+        refusal.is_some_and(|refusal| refusal.contains("ran into the rear of vehicle 1"))
+    };
+    let behind = ["-2.2", "2.1"];
+    assert!(of(behind, "0", "") && of(behind, "-25", "") && of(behind, "20", "speed = \"60 km/h\""));
+    assert!(!of(behind, "20", "speed = \"20 km/h\"") && !of(behind, "40", "") && !of(behind, "180", ""));
+    assert!(!of(["2.1", "-2.2"], "0", "") && !of(["2.1", "0.3"], "0", ""));
+}
+
+/// The recorder stored 78 km/h, give or take 4 %: an answer with 50 km/h is told, and one with 76 km/h is
+/// not.
+#[test]
+fn a_speed_that_the_own_recorder_contradicts_is_told() {
+    let of = |speed: &str| {
+        let text = format!(
+            "[vehicle1]\nspeed = \"{speed} km/h\"\nrecorder = {{ speed = \"78 km/h\" }}\n[avoid]\nlimit = \"50 km/h\"\n\
+             vehicle = \"vehicle1\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\n\
+             unbraked = true\n"
+        );
+        asked(&text).own_speeds.map(|speeds| speeds.map(|speed| (speed * 36.0).round() / 10.0))
+    };
+    assert_eq!(of("50"), Some([50.0, 78.0]));
+    assert_eq!(of("76"), None);
+}
+
+/// The central speed and the probability are of one distribution: that of all evidence, although the exact
+/// solution leads `reconstruct`.
+#[test]
+fn the_speed_is_that_of_the_distribution_behind_the_probability() {
+    let text = "[vehicle1]\nmass = \"1400 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\ncontact = { x = \"1.9 m\", y = \"0 m\" }\n\
+                [vehicle1.crush]\nside = \"front\"\nees = \"25 km/h\"\n[vehicle2]\nmass = \"1600 kg\"\nyaw_radius = \"1.4 m\"\n\
+                heading = \"0 deg\"\nspeed = \"0 km/h\"\ncontact = { x = \"-2.2 m\", y = \"0 m\" }\n\
+                [vehicle2.crush]\nside = \"rear\"\nees = \"24 km/h\"\n[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.15\n\
+                tangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n[avoid]\nlimit = \"30 km/h\"\nreaction_time = \"1 s\"\n\
+                deceleration = \"7 m/s^2\"\ndemand = { distance = \"30 m\" }\nunbraked = true\n";
+    let found = asked(text);
+    assert_eq!(found.speed_from, SpeedSource::Estimated);
+    let driven = found.chance.as_ref().unwrap().speed;
+    assert!((found.scene.speed - driven.median).abs() < 0.02 * driven.median, "{:?}", found.scene.speed);
+    // By hand: both EES give 66.0 kJ; along one line that is ½ m (1 − e²) v² with m = 746.7 kg, so 13.44 m/s.
+    let energy = 0.5 * (1400.0 * (25.0_f64 / 3.6).powi(2) + 1600.0 * (24.0_f64 / 3.6).powi(2));
+    let exact = (2.0 * energy / (1400.0 * 1600.0 / 3000.0) / (1.0 - 0.15 * 0.15)).sqrt();
+    assert!((found.exact_speed.unwrap() - exact).abs() < 1e-6, "{:?} {exact}", found.exact_speed);
+    let plain = asked_with(text, AvoidPlan { exact: true, ..AvoidPlan::default() }).unwrap();
+    assert_eq!((plain.speed_from, plain.exact_speed), (SpeedSource::Reconstructed, None));
+    assert!((plain.scene.at_impact - exact).abs() < 1e-6);
+}
+
 /// Evidence that no collision reproduces gives a speed no probability.
 #[test]
 fn contradicting_evidence_gives_no_probability() {

@@ -136,6 +136,28 @@ fn a_demand_after_the_braking_is_told_without_solving() {
     assert_eq!(faults.list()[0].key, "avoid.demand.time");
 }
 
+/// A truck whose yaw inertia is missing: the estimate that would tell the speed cannot run, and so neither
+/// can the question.
+#[test]
+fn a_speed_that_cannot_be_found_is_told_without_solving() {
+    let text = |inertia: &str| {
+        format!(
+            "[vehicle1]\nmass = \"1300 kg\"\nclass = 3\nheading = \"0 deg\"\ncontact = {{ x = \"1.5 m\", y = \"0 m\" }}\n\
+             [vehicle1.crush]\nside = \"front\"\nees = \"40 km/h\"\n[vehicle2]\nkind = \"heavy-truck\"\nmass = \"26 t\"\n{inertia}\n\
+             heading = \"0 deg\"\ncontact = {{ x = \"-6 m\", y = \"0 m\" }}\n[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.05\n\
+             tangential = \"critical\"\n[avoid]\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ distance = \"30 m\" }}\n"
+        )
+    };
+    let obstacle = |inertia: &str| {
+        let judgement = judge(&parsed(&text(inertia)));
+        let of_avoid = judgement.abilities.into_iter().find(|ability| ability.purpose == Purpose::Avoid);
+        of_avoid.unwrap().obstacle
+    };
+    assert_eq!(obstacle("yaw_radius = \"3.5 m\""), None);
+    assert_eq!(obstacle("").unwrap().list()[0].key, "vehicle2.yaw_inertia");
+}
+
 /// The ranges of [avoid] count for that question alone.
 #[test]
 fn ranges_of_avoid_are_not_those_of_the_impact() {

@@ -310,7 +310,10 @@ fn records_are_of_the_impacts_in_their_order() {
         let lines = format!(
             "{records}\nother_impacts = [{{ when = \"{when}\", pdof = \"90 deg\", delta_v = \"12 km/h\" }}]"
         );
-        let found = judge(&head_on(&lines).case).records;
+        // Without [impact], nothing tells the direction of its force.
+        let file = head_on(&lines);
+        let text = file.source.text().split("[impact]").next().unwrap();
+        let found = judge(&CaseFile::parse("case.toml", text).unwrap().case).records;
         found.into_iter().map(|(_, one)| (one.probability, one.other.unwrap())).collect::<Vec<_>>()
     };
     let alike = 0.45 * 25.026_2;
@@ -408,4 +411,53 @@ fn the_force_on_the_other_vehicle_tells_records_apart() {
         assert!(found.of_impact.impact.force_direction.unwrap().abs() < 1e-9, "{one}");
         assert!(found.of_impact.probability > 0.95, "{one}: {}", found.of_impact.probability);
     }
+}
+
+/// Two cars that meet front to front, each with an EES of 38 km/h and without a PDOF. By hand, they approach
+/// with v = 2·38/√(1 − 0.1²) km/h, and have a ΔV of 1.1 v/2 = 42.0 km/h: a record of 3 km/h is not of that
+/// impact, and one of 42 is.
+#[test]
+fn records_are_told_apart_without_a_pdof() {
+    let vehicle = |n: u8, heading: u16| {
+        format!(
+            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\n\
+             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"front\"\nees = \"38 km/h\"\n"
+        )
+    };
+    let text = format!(
+        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n\
+         [[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"-3 km/h\"\nspeed = \"60 km/h\"\n\
+         [[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"-42 km/h\"\nspeed = \"58 km/h\"\n",
+        vehicle(1, 0),
+        vehicle(2, 180)
+    );
+    let file = CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"));
+    let reading = recorders(&file.case).unwrap();
+    let of_impact = reading.vehicles[0].as_ref().unwrap().of_impact;
+    assert_eq!(of_impact.number, Some(2), "{of_impact:?}");
+    assert!(of_impact.probability > 0.99, "{of_impact:?}");
+    let delta_v = 3.6 * of_impact.impact.delta_v.unwrap();
+    assert!((delta_v - 42.01).abs() < 0.01, "{delta_v}");
+    assert!(of_impact.impact.force_direction.unwrap().abs() < 1e-9);
+    assert!(estimate_evidence(&file.case).unwrap().iter().any(|key| key == "vehicle1.recorder.speed"));
+}
+
+/// The crush that a balance of forces would give is no evidence; without a PDOF there is no such balance, and
+/// the measured crush of the other vehicle stays what it is.
+#[test]
+fn crush_by_the_balance_of_forces_takes_nothing_from_that_of_the_other() {
+    let vehicle = |n: u8, heading: u16, crush: &str| {
+        format!(
+            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\n\
+             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"front\"\nwidth = \"120 cm\"\n\
+             stiffness = {{ category = 3 }}\n{crush}\n"
+        )
+    };
+    let text = format!(
+        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n",
+        vehicle(1, 0, "depths = \"40 35 20 5 cm\""),
+        vehicle(2, 180, "from_force_balance = true")
+    );
+    let file = CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(estimate_evidence(&file.case).unwrap(), ["crush"]);
 }

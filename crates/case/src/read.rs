@@ -26,7 +26,7 @@ use crate::source::{Source, Spans};
 use crate::value::ValueTable;
 use inputs::{
     Basis, Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Purpose,
-    Reconstruct, ReportHead, UNKNOWNS, contradictions,
+    Reconstruct, ReportHead, UNKNOWNS, contradictions, uncertain_speeds,
 };
 use tree::{Reader, Table};
 
@@ -224,7 +224,7 @@ impl<'t> Reader<'t> {
 
         let vehicles = [first?, second?];
         let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
-        for fault in contradictions(&vehicles, find) {
+        for fault in contradictions(&vehicles, find).into_iter().chain(uncertain_speeds(&vehicles, find)) {
             let problem =
                 CaseProblem::Fault { message: fault.message(Program::NONE.name), help: fault.advice };
             self.report_path(&fault.key, problem);

@@ -218,12 +218,15 @@ fn evidence_that_contradicts_the_rest_is_warned_of() {
     }
 }
 
-/// Speeds so certain that hardly a draw before the evidence has them.
+/// Two speeds so certain that hardly a draw before the evidence has them.
 #[test]
 fn without_convergence_there_is_no_interval() {
-    let case = CASE
-        .replace("name = \"Focus\"", "certain_speed = { at_least = \"46.9 km/h\", at_most = \"47 km/h\" }");
-    assert_ne!(case, CASE);
+    let within = |low: &str, high: &str| {
+        format!("certain_speed = {{ at_least = \"{low} km/h\", at_most = \"{high} km/h\" }}")
+    };
+    let case = CASE.replace("name = \"Focus\"", &within("46.9", "47"));
+    let case = case.replace("name = \"Golf\"", &within("30", "30.1"));
+    assert!(case.matches("certain_speed").count() == 2);
     let case = written("not-converged.toml", &case);
     let draws = temporary("not-converged.csv");
     let _ = fs::remove_file(&draws);

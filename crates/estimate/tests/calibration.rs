@@ -2,11 +2,11 @@
 //! drawn from the prior, measurements simulated from them, and the rank of the truth among the draws of the
 //! posterior, which is uniform if the sampler is right.
 
-use estimate::{Independent, LikelihoodFunction, ParticleSettings, Verdict, sample_quietly};
+use estimate::{Independent, ParticleSettings, Verdict, sample_quietly};
 use uncertainty::Distribution;
 use uncertainty::random::{bits, key, unit};
 
-use super::ln_normal;
+use super::{by_function, ln_normal};
 
 /// A standard normal number by its index.
 fn normal(seed: u64, index: u64) -> f64 {
@@ -53,7 +53,7 @@ fn ranks_of_the_truth_are_uniform() {
         for ((value, sd), index) in measured.iter_mut().zip(ERRORS).zip(10..) {
             *value += sd * normal(seed, index);
         }
-        let evidence = LikelihoodFunction::new(3, |values: &[f64], terms: &mut [f64]| {
+        let evidence = by_function(3, |values: &[f64], terms: &mut [f64]| {
             for ((term, predicted), (measured, sd)) in
                 terms.iter_mut().zip(predicted(values)).zip(measured.iter().zip(ERRORS))
             {

@@ -2,15 +2,13 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use estimate::{
-    Evidence, Hurdle, LikelihoodFunction, ParticleSettings, Posterior, Selection, sample_quietly,
-};
+use estimate::{Evidence, Hurdle, ParticleSettings, Posterior, Selection, sample_quietly};
 use uncertainty::{Instructions, LANES, Lanes};
 
-use super::{ln_normal, standard};
+use super::{by_function, ln_normal, standard};
 
 fn run(settings: &ParticleSettings) -> Posterior {
-    let evidence = LikelihoodFunction::new(2, |x: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(2, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
         terms[1] = if x[2] > 2.0 { f64::NEG_INFINITY } else { ln_normal(x[2], x[0], 0.4) };
         if x[1] < -2.5 { Err(1) } else { Ok(()) }
@@ -52,7 +50,7 @@ fn all_instructions_give_the_same_bits() {
 fn evidence_that_is_not_used_leaves_the_draws_alone() {
     let settings = ParticleSettings { terms: Selection::Only(vec![0]), ..ParticleSettings::new(128, 5) };
     let only = run(&settings);
-    let evidence = LikelihoodFunction::new(1, |x: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
         if x[1] < -2.5 { Err(1) } else { Ok(()) }
     });
@@ -103,7 +101,7 @@ fn what_is_not_found_of_proposals_in_vain_changes_nothing() {
     let settings = ParticleSettings::new(128, 5);
     let evidence = InTwoParts { left_out: AtomicUsize::new(0) };
     let in_parts = sample_quietly(&standard(3), &evidence, &settings).unwrap();
-    let whole = LikelihoodFunction::new(2, |x: &[f64], terms: &mut [f64]| {
+    let whole = by_function(2, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
         terms[1] = ln_normal(x[2], x[0], 0.4);
         Ok(())

@@ -1,11 +1,9 @@
 //! Cases made to fool the diagnosis, and its verdicts.
 
-use estimate::{
-    Culprit, LikelihoodFunction, NoDraws, ParticleSettings, Posterior, SamplerDoubt, Verdict, sample_quietly,
-};
+use estimate::{Culprit, NoDraws, ParticleSettings, Posterior, SamplerDoubt, Verdict, sample_quietly};
 use real::elementary::{exp, ln};
 
-use super::{ln_normal, posterior, standard};
+use super::{by_function, ln_normal, posterior, standard};
 
 /// Half of the posterior is wide, around −0.5, and half is a mode at `at` with the standard deviation `sd`,
 /// in all dimensions; also returns the fraction of the draws in that mode.
@@ -15,7 +13,7 @@ fn hidden(dimensions: usize, [at, sd]: [f64; 2], particles: usize, seed: u64) ->
         // Divided by its own evidence, so that both modes have the same.
         likelihood - dimensions as f64 * ln_normal(mean, 0.0, (1.0 + sd * sd).sqrt())
     };
-    let evidence = LikelihoodFunction::new(1, |values: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |values: &[f64], terms: &mut [f64]| {
         let (wide, narrow) = (mode(values, -0.5, 0.6), mode(values, at, sd));
         let most = wide.max(narrow);
         terms[0] = most + ln(exp(wide - most) + exp(narrow - most)) - ln(2.0);
@@ -94,7 +92,7 @@ fn particles_that_stand_still_are_told() {
 #[test]
 fn a_prior_that_hardly_agrees_is_told() {
     let beyond = |limit: f64| {
-        let evidence = LikelihoodFunction::new(1, move |values: &[f64], terms: &mut [f64]| {
+        let evidence = by_function(1, move |values: &[f64], terms: &mut [f64]| {
             terms[0] = if values[0] > limit { 0.0 } else { f64::NEG_INFINITY };
             Ok(())
         });

@@ -18,13 +18,23 @@ fn standard(count: usize) -> Independent {
     Independent(vec![Distribution::normal(0.0, 1.0).unwrap(); count])
 }
 
+type Function<'a> = Box<dyn Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync + 'a>;
+
+/// Evidence from a function. In a box, it is of one type: the sampler is compiled once for all of them.
+fn by_function<'a>(
+    terms: usize,
+    function: impl Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync + 'a,
+) -> LikelihoodFunction<Function<'a>> {
+    LikelihoodFunction::new(terms, Box::new(function))
+}
+
 /// A run with one term of evidence.
 fn posterior(
     prior: &Independent,
     particles: usize,
     log_likelihood: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Posterior {
-    let evidence = LikelihoodFunction::new(1, |values: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |values: &[f64], terms: &mut [f64]| {
         terms[0] = log_likelihood(values);
         Ok(())
     });

@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use estimate::{
-    CannotReweight, Culprit, Exclusion, Independent, LikelihoodFunction, NoDraws, PARTICLES_STEP,
-    ParticleSettings, Selection, sample, sample_quietly,
+    CannotReweight, Culprit, Exclusion, Independent, NoDraws, PARTICLES_STEP, ParticleSettings, Selection,
+    sample, sample_quietly,
 };
 
-use super::{ln_normal, posterior, standard};
+use super::{by_function, ln_normal, posterior, standard};
 
 fn refusal<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync>(terms: usize, function: F) -> NoDraws {
-    let evidence = LikelihoodFunction::new(terms, function);
+    let evidence = by_function(terms, function);
     sample_quietly(&standard(2), &evidence, &ParticleSettings::new(PARTICLES_STEP, 1)).unwrap_err()
 }
 
@@ -64,7 +64,7 @@ fn impossible_evidence_is_refused_with_what_excludes_what() {
 /// Values for which the model fails are impossible.
 #[test]
 fn values_of_which_the_model_makes_nothing_are_impossible() {
-    let evidence = LikelihoodFunction::new(1, |x: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0], 0.5, 0.5);
         if x[1] < 0.0 { Err(3) } else { Ok(()) }
     });
@@ -94,7 +94,7 @@ fn nan_is_an_error_with_its_values_and_not_a_draw() {
 
 #[test]
 fn settings_that_cannot_be_used_are_refused() {
-    let evidence = LikelihoodFunction::new(1, |_: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |_: &[f64], terms: &mut [f64]| {
         terms[0] = 0.0;
         Ok(())
     });
@@ -117,7 +117,7 @@ fn settings_that_cannot_be_used_are_refused() {
 
 #[test]
 fn the_caller_may_end_a_run() {
-    let evidence = LikelihoodFunction::new(1, |_: &[f64], terms: &mut [f64]| {
+    let evidence = by_function(1, |_: &[f64], terms: &mut [f64]| {
         terms[0] = 0.0;
         Ok(())
     });

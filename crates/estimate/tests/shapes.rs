@@ -1,11 +1,11 @@
 //! Posteriors that are far from normal.
 
-use estimate::{DrawnQuantity, Independent, LikelihoodFunction, ParticleSettings, Verdict, sample_quietly};
+use estimate::{DrawnQuantity, Independent, ParticleSettings, Verdict, sample_quietly};
 use real::elementary::{exp, ln};
 use uncertainty::normal::cumulative;
 use uncertainty::{Distribution, Estimate};
 
-use super::{assert_converged, assert_near, integral, ln_normal, posterior, standard};
+use super::{assert_converged, assert_near, by_function, integral, ln_normal, posterior, standard};
 
 /// φ(z)
 fn density(z: f64) -> f64 {
@@ -184,7 +184,7 @@ fn without_information_the_posterior_is_the_prior() {
 /// A run without any evidence.
 #[test]
 fn there_may_be_no_evidence_at_all() {
-    let evidence = LikelihoodFunction::new(0, |_: &[f64], _: &mut [f64]| Ok(()));
+    let evidence = by_function(0, |_: &[f64], _: &mut [f64]| Ok(()));
     let found = sample_quietly(&standard(1), &evidence, &ParticleSettings::new(256, 1)).unwrap();
     assert_eq!(found.verdict(), Verdict::Converged);
     assert_near(found.summary(DrawnQuantity::Value(0)).mean, 0.0, 0.05);

@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use pim_core::{Vector2, VehicleId};
 use real::Real;
-use real::elementary::{exp, ln, sin_cos};
+use real::elementary::{atan2, exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::density::Freedom;
@@ -56,6 +56,9 @@ pub struct VehicleNumbers<N = Number> {
 pub struct Observed {
     /// The observations of each vehicle.
     pub vehicles: [ObservedVehicle; 2],
+    /// Whether the PDOFs of both vehicles are too far from opposite to be one observation, so that the one
+    /// that is nearer to a collision counts.
+    pub pdofs_differ: bool,
     /// The usual severity of such collisions; `None` if no assumption is made.
     pub severity: Option<Severity>,
     /// The misfit between crush energy and impact; `None` if the crush is not evidence.
@@ -136,6 +139,16 @@ pub enum Speeds<N = Number> {
         /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below 0 vehicle 2 stands, above π/2 vehicle 1.
         split: N,
     },
+    /// The same, where one vehicle has a speed within limits above 0. For any φ, ln c and ln v differ by a
+    /// constant, so that a uniform ln v is a uniform ln c.
+    Within {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (–) ln v of its speed (m/s).
+        ln_speed: N,
+        /// (rad) φ.
+        split: N,
+    },
 }
 
 /// (m/s) slowest and fastest relative speed considered.
@@ -156,10 +169,26 @@ impl Speeds {
     /// # Errors
     /// If one of the vehicles certainly stood, or a probability is negative.
     pub fn split_with_standing(stood: [f64; 2]) -> Result<Distribution, InvalidDistribution> {
-        // P(φ ≤ 0) = p₂, P(φ ≥ π/2) = p₁
-        let moved = 1.0 - stood[0] - stood[1];
-        let [above, below] = stood.map(|stood| FRAC_PI_2 * stood / moved);
+        let [above, below] = standing(stood);
         Distribution::uniform(-below, FRAC_PI_2 + above)
+    }
+
+    /// The same if a vehicle moved with this speed (m/s) at least: without the φ that only a relative speed
+    /// beyond all that are considered has.
+    ///
+    /// # Errors
+    /// As [`split_with_standing`](Self::split_with_standing), or if the speed is not above 0.
+    pub fn split_within(
+        vehicle: VehicleId,
+        least: f64,
+        stood: [f64; 2],
+    ) -> Result<Distribution, InvalidDistribution> {
+        let [above, below] = standing(stood);
+        let farthest = atan2(RELATIVE_SPEED[1], least);
+        match vehicle {
+            VehicleId::One => Distribution::uniform(-below, farthest),
+            VehicleId::Two => Distribution::uniform(FRAC_PI_2 - farthest, FRAC_PI_2 + above),
+        }
     }
 
     /// The distribution of φ without prior knowledge.
@@ -181,6 +210,9 @@ impl<N: Copy> Speeds<N> {
             Self::Together { ln_relative, split } => {
                 Speeds::Together { ln_relative: of(ln_relative), split: of(split) }
             }
+            Self::Within { vehicle, ln_speed, split } => {
+                Speeds::Within { vehicle, ln_speed: of(ln_speed), split: of(split) }
+            }
         }
     }
 }
@@ -193,17 +225,34 @@ impl Speeds<f64> {
         match self {
             Self::Each(speeds) => speeds,
             Self::Together { ln_relative, split } => {
-                let (sin, cos) = match split {
-                    angle if angle <= 0.0 => (0.0, 1.0),
-                    angle if angle >= FRAC_PI_2 => (1.0, 0.0),
-                    angle => sin_cos(angle),
-                };
+                let (sin, cos) = shares(split);
                 // c = s |cos φ f₁ − sin φ f₂|
                 let apart = forward[0] * cos - forward[1] * sin;
                 let scale = exp(ln_relative) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
                 [scale * cos, scale * sin]
             }
+            Self::Within { vehicle, ln_speed, split } => {
+                let (sin, cos) = shares(split);
+                let scale = exp(ln_speed) / if vehicle == VehicleId::One { cos } else { sin };
+                [scale * cos, scale * sin]
+            }
         }
+    }
+}
+
+/// (rad) how far φ goes above π/2 and below 0: P(φ ≥ π/2) = p₁, P(φ ≤ 0) = p₂.
+fn standing(stood: [f64; 2]) -> [f64; 2] {
+    let moved = 1.0 - stood[0] - stood[1];
+    stood.map(|stood| FRAC_PI_2 * stood / moved)
+}
+
+/// sin φ and cos φ, with the stops at both ends.
+#[inline(always)]
+fn shares(split: f64) -> (f64, f64) {
+    match split {
+        angle if angle <= 0.0 => (0.0, 1.0),
+        angle if angle >= FRAC_PI_2 => (1.0, 0.0),
+        angle => sin_cos(angle),
     }
 }
 

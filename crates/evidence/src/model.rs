@@ -26,7 +26,8 @@ pub enum Piece {
     /// The crush energy of both vehicles, or of the one whose crush is known.
     Crush,
     /// PDOF as coded. One investigator codes those of both vehicles and makes them opposite: only the one
-    /// with the smaller error counts, or the mean of two with the same.
+    /// with the smaller error counts, or the mean of two with the same. Of two that
+    /// [differ](Observed::pdofs_differ), the one that is nearer to a collision counts.
     Pdof(VehicleId),
     /// Speed after the impact.
     SpeedAfter(VehicleId),
@@ -315,12 +316,22 @@ impl<I: Impacts> CollisionModel<I> {
             Piece::Pdof(id) => {
                 let of = |id: VehicleId| Some((vehicle(id).pdof?, impacted.outcome.pdof()[id.index()]));
                 match (of(id), of(id.other())) {
-                    (Some((coded, pdof)), Some((other, other_pdof))) if coded.scale == other.scale => {
+                    (Some((coded, pdof)), Some((other, other_pdof))) => {
                         let [error, beside] =
                             [coded.pdof - pdof, other.pdof - other_pdof].map(principal_angle);
-                        coded.of(principal_angle(error + 0.5 * principal_angle(beside - error)))
+                        let apart = principal_angle(beside - error);
+                        if self.observed.pdofs_differ {
+                            // Without a sign, so that a force between the two is off by one of them.
+                            let [error, beside] = [error.abs(), beside.abs()];
+                            let is_nearer = error * other.scale <= beside * coded.scale;
+                            if is_nearer { coded.of(error) } else { other.of(beside) }
+                        } else if coded.scale == other.scale {
+                            coded.of(principal_angle(error + 0.5 * apart))
+                        } else {
+                            coded.of(error)
+                        }
                     }
-                    (Some((coded, pdof)), _) => coded.error(pdof),
+                    (Some((coded, pdof)), None) => coded.error(pdof),
                     (None, _) => Error::NONE,
                 }
             }

@@ -361,16 +361,20 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
     // At right angles, with 5 and 12 m/s, the relative speed is 13 m/s.
     collision.vehicles[1].heading = (0.5 * PI).into();
     collision.vehicles[1].contact = [0.0.into(), 0.5.into()];
-    collision.speeds = Speeds::Together {
-        ln_relative: Number::Exact(13.0_f64.ln()),
-        split: Number::Exact((12.0_f64 / 5.0).atan()),
-    };
+    let split = Number::Exact((12.0_f64 / 5.0).atan());
     for (k, speed) in [(0, 5.0), (1, 12.0)] {
         collision.observed.vehicles[k].recorder.speed =
             Some(MeasuredSpeed { value: speed, ln_sd: 0.01, least: 0.0 });
     }
-    for (_, term) in terms(&collision) {
-        close(term, normal(0.0, 0.01));
+    for speeds in [
+        Speeds::Together { ln_relative: Number::Exact(13.0_f64.ln()), split },
+        Speeds::Within { vehicle: One, ln_speed: Number::Exact(5.0_f64.ln()), split },
+        Speeds::Within { vehicle: Two, ln_speed: Number::Exact(12.0_f64.ln()), split },
+    ] {
+        collision.speeds = speeds;
+        for (_, term) in terms(&collision) {
+            close(term, normal(0.0, 0.01));
+        }
     }
 }
 

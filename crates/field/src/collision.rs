@@ -288,6 +288,7 @@ impl Pair {
             other_crush: None,
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
+                pdofs_differ: false,
                 severity: Some(fitted.severity_of(&layout.damages)),
                 crush: Some(fitted.crush_misfit(&layout.damages).into()),
                 figures: fitted.crush_figures(&layout.damages, layout.damages.map(Behind::Stiffness)),

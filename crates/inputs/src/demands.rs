@@ -21,7 +21,7 @@ use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::vehicle::GivenVehicle;
 
-pub use contradictions::contradictions;
+pub use contradictions::{contradictions, uncertain_speeds};
 use crush::fill_opposite_pdof;
 
 impl<T: Real> Case<T> {

@@ -91,7 +91,7 @@ pub use data::{
     CollisionData, CrushEvidence, CrushOnly, DamageData, EnergyData, ImpactInput, InertiaData, InferredWidth,
     ReconstructionInput, StiffnessSource, VehicleData,
 };
-pub use demands::{contradictions, table};
+pub use demands::{contradictions, table, uncertain_speeds};
 pub use dimensions::Dimensions;
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, EstimatedInput, FaceAxis, OFFSET_SD,

@@ -6,6 +6,7 @@ use pim_core::{InvalidInput, Vector2};
 use real::Real;
 use time_distance::{Crossing, Party};
 
+use crate::after::PhaseForm;
 use crate::quantity::Quantity;
 use crate::scene::{Place, in_scene};
 use crate::vehicle::{ContactPoint, Outline};
@@ -29,12 +30,14 @@ pub enum WayOutForm<T = f64> {
 }
 
 /// How fast the other party goes on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ClearSpeedForm<T = f64> {
     /// (m/s) steadily.
     Steady(Quantity<T>),
     /// As fast as it came.
     AsItCame,
+    /// With the speed to which the phases of its vehicle lead, which begin with a known one.
+    Phases(Vec<PhaseForm<T>>),
     /// With the speed of its vehicle, which the rest of the case gives.
     Sought,
 }
@@ -80,8 +83,11 @@ impl<T: Copy> ClearForm<T> {
                 }))
             }
         };
-        let speed = match self.speed {
-            ClearSpeedForm::Steady(speed) => ClearSpeedForm::Steady(of(speed)),
+        let speed = match &self.speed {
+            ClearSpeedForm::Steady(speed) => ClearSpeedForm::Steady(of(*speed)),
+            ClearSpeedForm::Phases(phases) => {
+                ClearSpeedForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
+            }
             ClearSpeedForm::AsItCame => ClearSpeedForm::AsItCame,
             ClearSpeedForm::Sought => ClearSpeedForm::Sought,
         };

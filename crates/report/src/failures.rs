@@ -63,8 +63,9 @@ fn excluded(impossible: &Impossible) -> String {
     let limits = |piece: &Piece| matches!(piece, Piece::Limits(_));
     let what = match impossible.culprits.as_slice() {
         [one] if limits(one) => {
-            "no collision with such a speed brings the vehicles together; check its limits, and the headings, \
-             contact points and crush plane of both"
+            "either no collision with such a speed brings the vehicles together: check its limits, and the headings, \
+             contact points and crush plane of both; or the limits are so close together that no speed that was tried lies between \
+             them: write a speed that is known so well as `speed`, with a range"
         }
         [_] => "check its value and unit, and give it a larger error",
         [one, other] if limits(one) && limits(other) => {

@@ -2,8 +2,8 @@
 
 use analysis::{
     Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
-    FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning, Warning,
-    Weighed,
+    FASTEST_BACK, FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning,
+    Warning, Weighed,
 };
 use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
 use crash3::Side;
@@ -14,6 +14,9 @@ use crate::document::{Block, Document};
 use crate::units::{FOOT, Measure, Units, number};
 use crate::words::quoted;
 use crate::{axes, basis, words};
+
+/// (m/s) 10 km/h backward: as much as slightly wrong inputs make of a vehicle that stood.
+const NEARLY_STOOD: f64 = -10.0 / 3.6;
 
 /// The reference to further information on a warning.
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
@@ -340,11 +343,14 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; a stationary \
-             vehicle comes out like this if the inputs are slightly off; otherwise check the heading, the \
-             crush energy \
-             and what was measured after the impact",
-            speed(*si)
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; {} the heading, the \
+             crush energy and what was measured after the impact",
+            speed(*si),
+            if *si > NEARLY_STOOD {
+                "a stationary vehicle comes out like this if the inputs are slightly off; otherwise check"
+            } else {
+                "a stationary vehicle does not come out like this: check"
+            }
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(
             "the speed given for vehicle {vehicle} is {}, so it moves backwards; check the sign and the \
@@ -374,10 +380,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::MayHaveBacked { vehicle, speed: found } => format!(
             "vehicle {vehicle} may have moved backward{}, but the estimate excludes this unless the case allows it: to allow it, write \
-             certain_speed = {{ at_least = \"-30 km/h\" }} in [vehicle{vehicle}]",
+             certain_speed = {{ at_least = \"-{:.0} km/h\" }} in [vehicle{vehicle}]",
             found.map_or_else(String::new, |found| {
                 format!(" (an exact solution gives it {})", units.road_speed(found))
-            })
+            }),
+            3.6 * FASTEST_BACK
         ),
         Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {
             let mut assumed = Vec::new();

@@ -66,7 +66,7 @@ fn a_case_without_a_table_says_what_to_give() {
     let file = CaseFile::parse("case.toml", "[vehicle1]\n[vehicle2]\nfixed = true\n").unwrap();
     let Err(Unanswered::Failure(analysis::Failure::Case(faults))) = asked(&file) else { panic!() };
     let said = file.diagnostics(&faults, &PROGRAM).to_string();
-    assert!(said.contains("no vehicle has a table of a recorder") && said.contains("pre_crash = "), "{said}");
+    assert!(said.contains("no recorder of the case has a table") && said.contains("pre_crash = "), "{said}");
 }
 
 #[test]

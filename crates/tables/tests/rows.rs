@@ -563,11 +563,12 @@ fn a_row_of_avoidability_has_its_warnings_and_no_delta_v_of_a_barrier() {
 /// All speeds but those of 0.05 km/h are excluded: hardly a collision is possible.
 #[test]
 fn a_row_of_avoidability_without_a_probability_says_why() {
-    let case = include_str!("../../../fixtures/avoid/evidence.toml").replacen(
-        "[vehicle1]\n",
-        "[vehicle1]\ncertain_speed = { at_least = \"46.95 km/h\", at_most = \"47 km/h\" }\n",
-        1,
-    );
+    let within = |low: &str, high: &str| {
+        format!("certain_speed = {{ at_least = \"{low} km/h\", at_most = \"{high} km/h\" }}\nmass")
+    };
+    let case = include_str!("../../../fixtures/avoid/evidence.toml")
+        .replacen("mass", &within("46.95", "47"), 1)
+        .replacen("mass = \"1320", &format!("{} = \"1320", within("30", "30.1")), 1);
     let results = avoided(
         &case.replace("\"50 km/h\", source = \"built-up area\"", "\"30 km/h\", source = \"built-up area\""),
     );

@@ -212,6 +212,11 @@ fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
     Ok(starts)
 }
 
+/// (m/s) the speed at the impact to which phases of the other vehicle lead.
+pub(super) fn end_of(phases: &[PhaseForm]) -> Result<f64, Unposed> {
+    Ok(starts(phases).map_err(Unposed::OtherPhases)?.last().copied().unwrap_or_default())
+}
+
 /// How a vehicle came to the impact: legs whose times and positions count from there.
 pub(super) struct Approach {
     pub(super) legs: Vec<Leg>,

@@ -46,6 +46,8 @@ pub(crate) enum Unposed {
     OtherPhases(InvalidInput),
     /// By their speeds, the vehicle does not come up to the other one on their line.
     Parts,
+    /// The other vehicle ran into its rear.
+    FromBehind,
     /// The vehicle did not move forward.
     Stands,
     /// The other vehicle did not move forward, so that it never clears the danger zone.

@@ -10,7 +10,7 @@ use pim_core::InvalidInput;
 use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
-use super::driven::{Approach, Driven, Gain};
+use super::driven::{Approach, Driven, Gain, end_of};
 use super::posing::{FAR, Since, SoughtSpeeds, Unposed};
 use super::same_line::{Meeting, SameLine};
 
@@ -95,6 +95,7 @@ impl Clears {
                 return Ok(Self { distance, after: in_all - other.time()?, backs: false });
             }
             (ClearSpeedForm::Steady(speed), _) => Some(speed.si()),
+            (ClearSpeedForm::Phases(phases), _) => Some(end_of(phases)?),
             // A solution that lets it move backward says that it stood.
             (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => sought.map(|speed| speed.max(0.0)),
         };
@@ -104,7 +105,9 @@ impl Clears {
             (Some(speed), _) if speed != 0.0 => Advance::Steady { speed: speed.abs() }.time_over(distance)?,
             // Among others that move, one that stands never clears it.
             (Some(_), ClearSpeedForm::AsItCame | ClearSpeedForm::Sought) => FAR,
-            (Some(_), ClearSpeedForm::Steady(_)) | (None, _) => return Err(Unposed::OtherStands),
+            (Some(_), ClearSpeedForm::Steady(_) | ClearSpeedForm::Phases(_)) | (None, _) => {
+                return Err(Unposed::OtherStands);
+            }
         };
         Ok(Self { distance, after, backs })
     }

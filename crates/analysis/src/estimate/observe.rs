@@ -4,10 +4,14 @@ mod after;
 mod damage;
 mod recorder;
 
+use std::f64::consts::FRAC_PI_6;
+
 use ::uncertainty::Shape;
+use crash3::opposite_pdof;
 use evidence::{DamagedSide, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
 use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior, table};
 use pim_core::VehicleId;
+use real::principal_angle;
 
 use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
@@ -15,10 +19,10 @@ use crate::given::certain_limits;
 use crate::thresholds::RECORDER_SPEED_ERROR;
 use crate::uncertainty::UncertainInput;
 
-pub(super) use damage::{Crushed, damage, energies, is_with_object, reference};
+pub(super) use damage::{Crushed, damage, energies, is_with_object};
 
 /// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; the rounding allowed by 49 CFR 563.
-const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
+pub(super) const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
 /// (–) a range wider than this share of its speed is the error of the speed, not of its logarithm.
 const WIDE_RANGE: f64 = 0.5;
 /// (–) the field data have only five vehicles hit side against side, too few for their severity: its spread
@@ -107,7 +111,21 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
         .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
-    (Observed { vehicles, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
+    let pdofs_differ = pdofs_differ(case, &vehicles);
+    (Observed { vehicles, pdofs_differ, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
+}
+
+/// (rad) 30°, an hour of the clock: two PDOFs that are farther from opposite are not of one force.
+const ONE_FORCE: f64 = FRAC_PI_6;
+
+/// Whether the PDOFs of both vehicles are not of one force.
+fn pdofs_differ(case: &Case, vehicles: &[ObservedVehicle; 2]) -> bool {
+    let ([Some(one), Some(two)], [Some(h1), Some(h2)]) =
+        (vehicles.each_ref().map(|vehicle| vehicle.pdof), case.headings())
+    else {
+        return false;
+    };
+    principal_angle(two.pdof - opposite_pdof(one.pdof, [h1, h2])).abs() > ONE_FORCE
 }
 
 /// The evidence of one vehicle.

@@ -1,24 +1,29 @@
 //! The results of each draw.
 
 use ::estimate::Posterior;
-use inputs::Case;
+use inputs::{Case, GivenVehicle};
 use pim_core::VehicleId;
 
 use super::impacts::{CaseImpacts, SkidNumbers};
 use crate::output::Output;
-use crate::quantities::{SKID_SPEED, SPEED};
+use crate::quantities::{CRUSH_ENERGY, SKID_SPEED, SPEED};
 
-/// The results that a case has: none for a fixed object, and those of a skid or of a path if there is one.
+/// The results that a case has: none for a fixed object, and those of a skid, of a path or of crush if there
+/// is one.
 pub(super) fn of(case: &Case, skids: &[Option<SkidNumbers>; 2], followed: [bool; 2]) -> Vec<Output> {
+    let has_energy =
+        |vehicle: &GivenVehicle| vehicle.has_damage_data() || vehicle.deformation_energy.is_some();
+    let is_crushed = case.vehicles.iter().any(has_energy);
     let is_told = |output: &Output| {
-        output.vehicle().is_none_or(|vehicle| {
-            let id = vehicle.index();
-            let is_seen = match output.quantity() {
-                row if row.is_of_path() => followed[id],
-                _ => !output.is(&SKID_SPEED) || skids[id].is_some(),
-            };
-            is_seen && !case.vehicles[id].fixed
-        })
+        (is_crushed || !output.is(&CRUSH_ENERGY))
+            && output.vehicle().is_none_or(|vehicle| {
+                let id = vehicle.index();
+                let is_seen = match output.quantity() {
+                    row if row.is_of_path() => followed[id],
+                    _ => !output.is(&SKID_SPEED) || skids[id].is_some(),
+                };
+                is_seen && !case.vehicles[id].fixed
+            })
     };
     Output::drawn().into_iter().filter(is_told).collect()
 }

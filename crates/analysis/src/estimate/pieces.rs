@@ -145,6 +145,7 @@ pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
             [Piece::DirectionAfter(id), Piece::Rest(id)],
             [Piece::YawRateAfter(id), Piece::Rest(id)],
             [Piece::Pdof(id), Piece::RecordedDirection(id)],
+            [Piece::YawRateAfter(id), Piece::RecordedYawRate(id)],
             [Piece::SkidSpeed(id), Piece::RecordedSpeed(id)],
         ]
     };
@@ -179,6 +180,11 @@ mod tests {
                 Piece::Pdof(Two),
                 Piece::RecordedDirection(Two),
                 ["vehicle2.crush.pdof", "vehicle2.recorder.delta_v_lateral"],
+            ),
+            (
+                Piece::YawRateAfter(Two),
+                Piece::RecordedYawRate(Two),
+                ["vehicle2.after.yaw_rate", "vehicle2.recorder.yaw_rate"],
             ),
             (
                 Piece::SkidSpeed(One),

@@ -1,29 +1,34 @@
 //! From a case to its unknown numbers and its evidence.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
+use ::uncertainty::normal::cumulative;
 use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     Amount, Bounds, BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find,
-    GivenVehicle, ImpactLaw, Input, MotionInput, Origin, Purpose, Quantity, Range, Reconstruct, Restitution,
-    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, VehicleKind, Velocity, YawForm, table,
+    GivenVehicle, ImpactLaw, Input, MotionInput, Origin, Purpose, Quantity, Range, Reconstruct,
+    RecordersSpeed, Restitution, SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, VehicleKind,
+    Velocity, YawForm, table,
 };
 use pim_core::VehicleId;
 use real::Real;
+use real::elementary::ln;
 
+use super::MISSED;
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
 use super::notes::{Unused, UnusedReason};
-use super::observe::{Crushed, Scene, damage, energies, is_with_object, observe, reference};
+use super::observe::{Crushed, LEAST_SPEED_ERROR, Scene, damage, energies, is_with_object, observe};
 use super::of_number;
 use super::outputs;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::failure::Failure;
 use crate::given::{certain_limits, speed_limits, with_sideslip};
-use crate::recorded::{RecordsOfImpact, with_records_of_impact};
+use crate::normal_force::reference;
+use crate::recorded::{RecordsOfImpact, given_pdof, with_records_of_impact};
 use crate::thresholds::FASTEST_BELIEVED;
 use crate::uncertainty::{UncertainInput, any_inputs, inputs};
 use crate::unsolved;
@@ -379,6 +384,7 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
     if case.locked_together {
         unused.extend(as_one_wreck(&mut case));
     }
+    unused.extend(without_inferred_crush(&mut case));
     let find = case.reconstruct.map(|reconstruct| reconstruct.find);
     let mut sought = [false; 2];
     for id in VehicleId::ALL {
@@ -413,6 +419,22 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
         case.reconstruct = Some(Reconstruct { find, energy_basis: energy_basis.unwrap_or_default() });
     }
     Ok((case, sought, unused))
+}
+
+/// Takes away the crush that the balance of forces would give, where no PDOF says in which directions they
+/// act: it is no evidence, and follows from none.
+fn without_inferred_crush(case: &mut Case) -> Vec<Unused> {
+    if VehicleId::ALL.into_iter().any(|id| given_pdof(case, id).is_some()) {
+        return Vec::new();
+    }
+    let mut unused = Vec::new();
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&mut case.vehicles) {
+        let places_contact = vehicle.places_contact();
+        if !places_contact && vehicle.crush.take_if(|crush| crush.from_force_balance).is_some() {
+            unused.push(Unused { key: format!("{}.crush", table(id)), reason: UnusedReason::Inferred });
+        }
+    }
+    unused
 }
 
 /// Vehicles that leave as one do not rebound, and their surfaces do not slip on each other at the end: e = 0
@@ -669,6 +691,12 @@ impl Open {
 }
 
 /// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
+/// Whether no vehicle that stood has such a recorded speed: one from a table has no error at zero, and any
+/// other is far beyond that error.
+fn excludes_standing(told: RecordersSpeed) -> bool {
+    told.is_of_table || told.speed > MISSED * LEAST_SPEED_ERROR
+}
+
 fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     let ground = case.surface.as_ref().map(|surface| surface.friction);
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
@@ -682,10 +710,35 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
         let [least, most] = certain_limits(vehicle);
         let certainly_moved = least.is_some_and(|speed| speed > 0.0)
             || most.is_some_and(|speed| speed < 0.0)
-            || vehicle.recorder.as_ref().is_some_and(|recorder| recorder.tells_speed(ground).is_some());
+            || vehicle
+                .recorder
+                .as_ref()
+                .and_then(|recorder| recorder.tells_speed(ground))
+                .is_some_and(excludes_standing);
         let may_stand = sought[id.index()] && may_move(id.other()) && !certainly_moved;
         if may_stand { given } else { 0.0 }
     })
+}
+
+/// The vehicle whose speed has the narrowest certain limits (m/s), by their ratio, of those with both above
+/// 0.
+fn narrowest(case: &Case) -> Option<(VehicleId, [f64; 2])> {
+    let within = VehicleId::ALL.into_iter().filter_map(|id| {
+        let [Some(least), Some(most)] = certain_limits(&case.vehicles[id.index()]) else { return None };
+        (least > 0.0).then_some((id, [least, most]))
+    });
+    within.min_by(|(_, [low, high]), (_, [least, most])| (high / low).total_cmp(&(most / least)))
+}
+
+/// (m/s) how much of a range of speeds counts beside a vehicle that stood: all of it, or by the share that
+/// the usual severity gives to each speed.
+fn moving([least, most]: [f64; 2], prior: SeverityPrior) -> f64 {
+    if prior == SeverityPrior::Flat {
+        return most - least;
+    }
+    // ∫ e^(−v²/2s²) dv = s √(2π) (Φ(v_max/s) − Φ(v_min/s))
+    let usual = FITTED.severity.speed;
+    usual * Real::sqrt(TAU) * (cumulative(most / usual) - cumulative(least / usual))
 }
 
 fn speeds(
@@ -733,8 +786,8 @@ fn speeds(
     let mut alone = |id: VehicleId| {
         let [least, most] = limits[id.index()];
         let stood = if least <= 0.0 && most > 0.0 { stood[id.index()] } else { 0.0 };
-        // p = w/(w + v_max − v_min)
-        let standing = (most - least) * stood / (1.0 - stood);
+        // p = w/(w + ∫ e^(−v²/2s²) dv)
+        let standing = moving(limits[id.index()], prior) * stood / (1.0 - stood);
         let place =
             unknowns.assumed(&key(id), Distribution::uniform(least, most + standing), Assumed::Speed)?;
         unknowns.0[place].moving = Some(of_number(&key(id), Distribution::uniform(least, most))?);
@@ -748,6 +801,20 @@ fn speeds(
             let backward = limits.iter().any(|[least, _]| *least < 0.0);
             if prior == SeverityPrior::Flat || backward {
                 OpenSpeeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?])
+            } else if let Some((vehicle, [least, most])) = narrowest(case) {
+                OpenSpeeds::Together(Speeds::Within {
+                    vehicle,
+                    ln_speed: unknowns.assumed(
+                        &format!("{}.ln_speed", table(vehicle)),
+                        Distribution::uniform(ln(least), ln(most)),
+                        Assumed::Speed,
+                    )?,
+                    split: unknowns.assumed(
+                        "speed_split",
+                        Speeds::split_within(vehicle, least, stood),
+                        Assumed::Speed,
+                    )?,
+                })
             } else {
                 OpenSpeeds::Together(Speeds::Together {
                     ln_relative: unknowns.assumed(

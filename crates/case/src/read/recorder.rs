@@ -284,11 +284,12 @@ impl<'t> Reader<'t> {
         {
             let path = table.path_of("at_least");
             let message = format!("\"{path}\" is not below `at_most`");
-            return self.refuse(
-                &path,
-                message,
-                "a speed that is known exactly belongs in `speed` of the vehicle",
-            );
+            let help = if low > high {
+                "exchange the two: the vehicle was at least as fast as `at_least`, and at most as fast as `at_most`"
+            } else {
+                "a speed that is known exactly belongs in `speed` of the vehicle"
+            };
+            return self.refuse(&path, message, help);
         }
         Some(CertainSpeed { at_least, at_most })
     }

@@ -10,7 +10,7 @@ use recorder::SampledApproach;
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
-use crate::after::SkidBegin;
+use crate::after::{PhaseForm, SkidBegin};
 use crate::avoid::{
     Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, GivenDemand, GivenWayOut, OffLine,
     OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
@@ -227,10 +227,19 @@ impl<T: Copy + From<f64>> Case<T> {
             (Some(speed), ..) => Some(ClearSpeedForm::Steady(speed.quantity)),
             (None, Some(GivenDemand::Other(_)), _) => Some(ClearSpeedForm::AsItCame),
             (None, _, Some(speed)) => Some(ClearSpeedForm::Steady(*speed)),
+            _ if let Some(phases) = self.leading_phases(subject.other()) => {
+                Some(ClearSpeedForm::Phases(phases))
+            }
             _ if other.is_absent() || other.fixed => None,
             // What tells the speed of the one tells that of the other.
             _ => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(ClearSpeedForm::Sought),
         }
+    }
+
+    /// The phases of a vehicle, if they begin with a known speed and so tell that at the impact.
+    fn leading_phases(&self, vehicle: VehicleId) -> Option<Vec<PhaseForm<T>>> {
+        let forms: Vec<_> = self.vehicles[vehicle.index()].phases().iter().map(|phase| phase.form).collect();
+        forms.first().is_some_and(PhaseForm::leads_on).then_some(forms)
     }
 
     /// The eye and the point at the impact, each if the case tells it. Beside a position in a survey, the
@@ -279,7 +288,8 @@ impl<T: Copy + From<f64>> Case<T> {
         [of(&sight.path, &sight.heading, subject), of(&sight.other_path, &sight.other_heading, other)]
     }
 
-    /// How the other party moves: at the constant speed that `[avoid]` gives, or as its table tells.
+    /// How the other party moves: at the constant speed that `[avoid]` gives for it, as its table tells, or,
+    /// where that says nothing, as fast as it goes on.
     fn other_motion(&self, avoid: &Avoid<T>, basis: &AvoidBasis) -> Option<OtherMotionForm<T>> {
         // Who starts from a stop has no one speed.
         let of_demand = match &avoid.demand {
@@ -287,9 +297,18 @@ impl<T: Copy + From<f64>> Case<T> {
             _ => None,
         };
         let of_clear = avoid.clear.as_ref().and_then(|clear| clear.speed.as_ref());
-        let given = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear);
-        let steady = |speed| OtherMotionForm { speed: Some(speed), braking: BrakingForm::Unknown };
-        given.map(|given| steady(given.quantity)).or_else(|| self.vehicle_motion(basis))
+        let given = avoid.sight.other_speed.as_ref().or(of_demand);
+        let steady = |given: &Sourced<T>| OtherMotionForm {
+            speed: Some(given.quantity),
+            braking: BrakingForm::Unknown,
+        };
+        // Without a collision in the case, no evidence tells the speed that its table leaves open.
+        let is_told = |motion: &OtherMotionForm<T>| {
+            let by_table = motion.speed.is_some() || basis.is_recorded || motion.braking.leads_on();
+            by_table || of_clear.is_none() || self.impact.is_some() || self.reconstruct.is_some()
+        };
+        let of_vehicle = || self.vehicle_motion(basis).filter(is_told);
+        given.map(steady).or_else(of_vehicle).or_else(|| of_clear.map(steady))
     }
 }
 

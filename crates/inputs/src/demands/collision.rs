@@ -12,7 +12,7 @@ use crate::form::PlacedContact;
 use crate::vehicle::{GivenVehicle, Velocity};
 
 const SPEED_FORMS: &str =
-    "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
+    "`speed = \"10 mph\"` along the heading, or `velocity` by its parts `x` and `y` in the scene";
 
 impl<T: Real> Demand<'_, T> {
     /// (m) C forward and left of the CG.

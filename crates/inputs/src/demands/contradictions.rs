@@ -6,7 +6,30 @@ use super::table;
 use crate::case::Find;
 use crate::crush::StiffnessForm;
 use crate::fault::Fault;
-use crate::vehicle::{GivenVehicle, VehicleKind};
+use crate::recorder::CertainSpeed;
+use crate::vehicle::{GivenVehicle, VehicleKind, Velocity};
+
+/// Known speeds of vehicles that lie outside of their certain limits.
+#[must_use]
+pub fn uncertain_speeds(vehicles: &[GivenVehicle; 2], find: Option<Find>) -> Vec<Fault> {
+    let of = |id: VehicleId| {
+        let vehicle = &vehicles[id.index()];
+        let Some(Velocity::Speed(speed)) = &vehicle.motion else { return None };
+        let CertainSpeed { at_least, at_most } = vehicle.certain_speed?;
+        let is_below = at_least.is_some_and(|least| speed.si() < least.si());
+        let is_beyond = at_most.is_some_and(|most| speed.si() > most.si());
+        let is_known = !find.is_some_and(|find| find.seeks(id));
+        (is_known && (is_below || is_beyond)).then(|| {
+            let table = table(id);
+            Fault::refused(
+                format_args!("{table}.certain_speed"),
+                format_args!("the speed of [{table}] is outside of the limits that are certain"),
+                "correct one of them; if the speed is to be found, remove `speed`",
+            )
+        })
+    };
+    VehicleId::ALL.into_iter().filter_map(of).collect()
+}
 
 /// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]

@@ -102,11 +102,18 @@ impl<T: Real> Demand<'_, T> {
             return Some(InertiaData { mass: mass?, yaw_inertia: None, yaw_source: YawSource::Unknown });
         }
         if vehicle.kind.unwrap_or_default() != VehicleKind::Car {
-            self.missing(
-                format_args!("{table}.yaw_inertia"),
-                "`yaw_inertia = \"2437 lb ft s^2\"` or the radius of gyration, `yaw_radius = \"1.40 m\"`; if neither is known, √((l² + w²)/12) is \
-                 the radius of gyration of a body of length l and width w that is loaded evenly",
-            );
+            let even = "√((l² + w²)/12) is that of a body of length l and width w that is loaded evenly";
+            let example = match form.body.map(|body| body.quantities().map(|quantity| quantity.si().value()))
+            {
+                Some([length, width, _]) => {
+                    let radius = Real::sqrt((length * length + width * width) / 12.0);
+                    format!("its radius of gyration, such as `yaw_radius = \"{radius:.2} m\"`: {even}")
+                }
+                None => format!(
+                    "its radius of gyration, `yaw_radius`, or `yaw_inertia`: if neither is known, {even}"
+                ),
+            };
+            self.missing(format_args!("{table}.yaw_inertia"), &example);
             return None;
         }
         self.missing(

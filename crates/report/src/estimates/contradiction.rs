@@ -38,7 +38,7 @@ fn turned_round(piece: Piece) -> &'static str {
         }
         Piece::RecordedDirection(_) => {
             ": a sign may be wrong. The longitudinal ΔV is negative where the vehicle was slowed down, as in a frontal \
-             impact, and positive where it was pushed forward"
+             impact; the lateral ΔV is positive towards y, which is left, or right in axes with z down"
         }
         Piece::Pdof(_) => {
             ": it may be reversed. The PDOF is where the force came from, clockwise from the heading: 0° at the \

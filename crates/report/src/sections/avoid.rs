@@ -32,7 +32,7 @@ const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of 
 #[must_use]
 pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     let mut page = Document::of_case(case);
-    page.push(Block::Answer { found: answer(case, found, units), how: how(found) });
+    page.push(Block::Answer { found: answer(case, found, units), how: how(found, units) });
     for doubt in avoid_warnings(found, units) {
         page.paragraph(format!("Warning: {doubt}"));
     }
@@ -178,7 +178,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
 
 /// A probability, with the Monte Carlo error that three decimals show.
 fn probability_with_error(probability: f64, error: f64) -> String {
-    let between = |error: f64| format!(" ± {}", number(error, 3));
+    let between = |error: f64| format!(" ± {}", number(error.max(LEAST_ERROR), 3));
     in_decimals(probability) + &error_between(probability, error).map_or_else(String::new, between)
 }
 
@@ -196,6 +196,8 @@ fn error_between(probability: f64, error: f64) -> Option<f64> {
     (LOW..HIGH).contains(&probability).then_some(error)
 }
 
+/// A smaller error of a probability with three decimals is that of its rounding.
+const LEAST_ERROR: f64 = 0.001;
 /// Probabilities that three decimals round to 0 and 1.
 const LOW: f64 = 0.0005;
 const HIGH: f64 = 0.9995;
@@ -231,8 +233,18 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     });
     let along = along_the_line(found, units);
     let of_other = of_the_other(found, units);
+    let of_recorder = of_recorder(found, units);
+    let of_stood = found.other_may_have_stood().map(|stood| {
+        let percent = number(100.0 * stood, 0);
+        format!(
+            "Vehicle {} was stationary with a probability of {percent} %. The central values take the median of its speed, which is then \
+             that of neither case: only the probability accounts for both.",
+            found.vehicle.other()
+        )
+    });
     let of_speed = of_speed(found, units);
-    let ours = hard.into_iter().chain(early).chain(begins).chain(along).chain(of_other).chain(beaten);
+    let ours = hard.into_iter().chain(early).chain(begins).chain(along).chain(of_other).chain(of_recorder);
+    let ours = ours.chain(of_stood).chain(beaten);
     ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
 }
 
@@ -305,6 +317,15 @@ fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
     ))
 }
 
+/// What its own recorder says against the speed of the vehicle.
+fn of_recorder(found: &Avoidance, units: Units) -> Option<String> {
+    let [used, recorded] = found.own_speeds?.map(|speed| units.road_speed(speed));
+    Some(format!(
+        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct one of them, or give no          speed: the recorder then tells it.",
+        found.vehicle
+    ))
+}
+
 /// What the solution behind the speed warns of, by its codes: its own report has the sentences.
 fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
     let command = match found.speed_from {
@@ -368,13 +389,18 @@ const SAME_RATE: f64 = 0.005;
 /// (–) deceleration by g, beyond which no source is at hand for most speeds and surfaces.
 const GREATEST_LISTED: f64 = 1.0;
 
-fn how(found: &Avoidance) -> String {
+fn how(found: &Avoidance, units: Units) -> String {
     let speed = match found.speed_from {
         SpeedSource::AtDemand => "The speed is that of [avoid]",
         SpeedSource::AtImpact => "The speed at the impact is that of the case",
         SpeedSource::Reconstructed => "The speed at the impact is that of `deltav reconstruct`",
         SpeedSource::Estimated => {
-            "The speed at the impact is the median of `deltav estimate`, by all evidence"
+            let exact = found.exact_speed.map(|exact| {
+                let exact = units.road_speed(exact);
+                format!("; `deltav reconstruct`, which takes its evidence as exact, finds {exact}")
+            });
+            let exact = exact.unwrap_or_default();
+            &format!("The speed at the impact is the median of `deltav estimate`, by all evidence{exact}")
         }
         SpeedSource::Phases => "The speed at the impact follows from the phases before it",
         SpeedSource::Recorder => "The speed at the impact is the median by the table of the recorder",

@@ -5,10 +5,10 @@ use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
-    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
+    PieceFound, SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
 };
 use case::{Axes, Case, SeverityPrior};
-use evidence::TestedClass;
+use evidence::{Piece, TestedClass};
 use pim_core::VehicleId;
 
 use super::uncertainty::{MOST_DECIMALS, decimals_of, grouped, short};
@@ -30,6 +30,13 @@ const END: usize = 9;
 const ISLANDS: usize = ::estimate::ISLANDS;
 /// Unknown numbers that no table shows.
 const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
+/// The end of the key of another: the logarithm of a speed within certain limits.
+const LN_SPEED: &str = ".ln_speed";
+
+/// Whether no table shows an unknown number, as the results have it in other words.
+fn is_hidden(unknown: &UnknownNumber) -> bool {
+    HIDDEN.contains(&&*unknown.key) || unknown.key.ends_with(LN_SPEED)
+}
 
 /// The speeds with their intervals, the answers by each piece of evidence and whether it agrees with the
 /// rest, and what is assumed. If the run has not converged, it has no interval.
@@ -111,10 +118,17 @@ pub(super) const NO_COLLISION: &str =
     "No collision reproduces all of the evidence, so no single answer can be given.";
 
 /// The evidence that the nearest collisions miss, and what to do.
-pub(super) fn missed(keys: &[String]) -> String {
+pub(super) fn missed(keys: &[String], pieces: &[PieceFound]) -> String {
+    let certain = pieces.iter().filter(|piece| matches!(piece.piece, Piece::Limits(_)));
+    let certain: Vec<String> = certain.map(|piece| piece.key.clone()).collect();
+    let limits = if certain.is_empty() {
+        String::new()
+    } else {
+        format!(" Nothing outweighs {}, which counts as certain: check it, too.", quoted(&certain, " and "))
+    };
     format!(
         "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
-         measured there, the contact points and the crush plane. If the vehicles left the impact as one wreck, \
+         measured there, the contact points and the crush plane.{limits} If the vehicles left the impact as one wreck, \
          write `locked_together = true` in [scene].",
         quoted(keys, " and ")
     )
@@ -153,7 +167,8 @@ impl<'a> Page<'a> {
             None => self.answer(),
             Some(NoEstimate::Unconverged) => self.doubts(),
             Some(NoEstimate::Contradicted(keys)) => {
-                let how = format!("{} The medians below are not an answer.", missed(&keys));
+                let how =
+                    format!("{} The medians below are not an answer.", missed(&keys, &self.estimated.pieces));
                 self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
             }
         }
@@ -509,6 +524,8 @@ impl<'a> Page<'a> {
             let key = match unknown.key.as_str() {
                 "ln_relative_speed" => "relative speed".to_owned(),
                 "speed_split" => "atan(speed 2/speed 1)".to_owned(),
+                "vehicle1.ln_speed" => "speed 1".to_owned(),
+                "vehicle2.ln_speed" => "speed 2".to_owned(),
                 "vehicle1.crush_by_vehicle2" => "crush energy 1/crush energy 2".to_owned(),
                 "vehicle2.crush_by_vehicle1" => "crush energy 2/crush energy 1".to_owned(),
                 _ => unknown_key(unknown),
@@ -535,6 +552,9 @@ impl<'a> Page<'a> {
 
     /// The speeds and ΔV if it was also known that somebody was seriously hurt.
     fn if_injured(&mut self) {
+        if self.estimated.no_answer().is_some() {
+            return;
+        }
         let wanted = [&SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
         let told = wanted.into_iter().flatten().filter_map(|wanted| {
             let found = self.find(wanted).filter(|found| found.varies())?;
@@ -559,6 +579,9 @@ impl<'a> Page<'a> {
         match (assumed, prior.shape()) {
             (Assumed::Speed, Shape::Uniform { .. }) if unknown.key == "ln_relative_speed" => {
                 "its logarithm uniform".to_owned()
+            }
+            (Assumed::Speed, Shape::Uniform { .. }) if unknown.key.ends_with(LN_SPEED) => {
+                "its logarithm uniform within `certain_speed`".to_owned()
             }
             (Assumed::Speed, Shape::Uniform { low, high }) => {
                 let measure = if unknown.key == "speed_split" { Measure::Angle } else { Measure::RoadSpeed };
@@ -595,7 +618,7 @@ impl<'a> Page<'a> {
                 Column::numbers("95 %", Width::Fixed(20)),
             ],
         );
-        for unknown in self.estimated.unknown.iter().filter(|unknown| !HIDDEN.contains(&&*unknown.key)) {
+        for unknown in self.estimated.unknown.iter().filter(|unknown| !is_hidden(unknown)) {
             let summary = &unknown.posterior;
             let decimals = decimals_of(unknown.prior.sd()).min(MOST_DECIMALS);
             let of = |value: f64| number(value, decimals);

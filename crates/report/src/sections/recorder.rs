@@ -173,17 +173,22 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
             verdict(&one.of_impact),
         ]);
     }
-    let KnownImpact { force_direction, delta_v } = found.of_impact.impact;
+    let OfImpact { impact: KnownImpact { force_direction, delta_v }, errors, .. } = found.of_impact;
     let size = delta_v.map(|si| format!("a ΔV of {}", units.format(Measure::RoadSpeed, si)));
     let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
     table.notes.push(if known.is_empty() {
-        "The case gives neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`."
+        "The case tells neither the ΔV nor the direction of its impact: give `pdof`, or `[impact]` with the headings and contact points of \
+         both vehicles; for the ΔV, the crush of both."
             .to_owned()
     } else {
-        let errors = MatchErrors::default();
+        let by_plane = if errors.direction > MatchErrors::default().direction {
+            " Without `pdof`, the force is taken as normal to the crush plane."
+        } else {
+            ""
+        };
         format!(
-            "The damage shows {}. The records are compared with it, with errors (standard deviations) of \
+            "The damage shows {}.{by_plane} The records are compared with it, with errors (standard deviations) of \
              {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no impact that is \
              listed here.",
             known.join(" and "),
