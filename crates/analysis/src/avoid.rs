@@ -15,9 +15,11 @@ use std::sync::Arc;
 
 use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
+use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
-    Faults, Find, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
+    Faults, Find, GivenVehicle, KnownEnergy, OffLine, Quantity, SightForm, SpeedForm, Velocity,
+    format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -752,12 +754,24 @@ fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
 fn is_hit_from_behind(case: &Case, vehicle: VehicleId, other: Option<f64>, speed: f64) -> bool {
     let is_along =
         case.off_the_line().is_some_and(|off| off.along == Along::Ahead && off.angle <= NEARLY_ALONG);
-    let ahead = [vehicle, vehicle.other()].map(|id| {
-        let contact = case.vehicles[id.index()].contact.as_ref();
-        contact.map_or(0.0, |contact| contact.xy()[0])
-    });
+    let ahead = [vehicle, vehicle.other()].map(|id| touches_ahead(&case.vehicles[id.index()]));
     let other = other.or_else(|| Some(GivenSpeed::of_known(case, vehicle.other())?.speed));
-    is_along && ahead[0] < 0.0 && ahead[1] > 0.0 && other.is_none_or(|other| other > speed)
+    is_along && ahead == [Some(false), Some(true)] && other.is_none_or(|other| other > speed)
+}
+
+/// Whether a vehicle touches the other in front of its centre of gravity: by its contact point or, without
+/// one, by the damaged side.
+fn touches_ahead(vehicle: &GivenVehicle) -> Option<bool> {
+    if let Some(contact) = &vehicle.contact {
+        return Some(contact.xy()[0] > 0.0);
+    }
+    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
+    let of_ees = || vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|ees| ees.side);
+    match of_crush.or_else(of_ees)? {
+        Side::Front => Some(true),
+        Side::Rear => Some(false),
+        Side::Left | Side::Right => None,
+    }
 }
 
 /// (rad) 30°. Vehicles whose lines enclose no more move along with each other, or towards each other, rather
@@ -898,12 +912,12 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::FromBehind => (
             "avoid.vehicle".to_owned(),
             format!(
-                "by the contact points, vehicle {} ran into the rear of vehicle {}, whose driver could not have avoided that by braking",
+                "by where they touch, vehicle {} ran into the rear of vehicle {}, whose driver could not have avoided that by braking",
                 form.vehicle.other(),
                 form.vehicle
             ),
             format!(
-                "ask about the other driver: vehicle = \"vehicle{}\" in [avoid]; or check `contact` and the headings",
+                "ask about the other driver: vehicle = \"vehicle{}\" in [avoid]; or check `contact`, the damaged side and the headings",
                 form.vehicle.other()
             ),
         ),

@@ -95,6 +95,8 @@ pub struct Estimated {
     /// The keys of the evidence that the answer itself misses by more than [`MISSED`] of its errors: no
     /// collision agrees with all of the evidence.
     pub missed: Vec<String>,
+    /// The keys of the limits that count as certain, which no evidence outweighs.
+    pub certain: Vec<String>,
     /// Data of the case that the estimate does not use.
     pub unused: Vec<Unused>,
     /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to those
@@ -329,6 +331,7 @@ pub fn estimate(
         pieces,
         same_twice: pieces::same_twice(model.pieces()),
         missed: missed(&model, &posterior),
+        certain: certain(&model),
         unused,
         warnings,
         evaluations,
@@ -414,6 +417,12 @@ pub fn injury(prior: SeverityPrior) -> Option<InjuryRisk> {
 /// (–) an answer that misses a piece of evidence by more than this many of the piece's standard errors does
 /// not agree with it: a normal error exceeds this once in 16,000.
 pub const MISSED: f64 = 4.0;
+
+/// The keys of the limits that count as certain.
+fn certain(model: &CollisionModel<CaseImpacts>) -> Vec<String> {
+    let limits = model.pieces().iter().filter(|piece| matches!(piece, Piece::Limits(_)));
+    limits.map(|piece| key(*piece)).collect()
+}
 
 /// The keys of the evidence in use with a number that is off by more than [`MISSED`] errors in most draws: no
 /// collision agrees with all of the evidence.

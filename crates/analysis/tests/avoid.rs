@@ -693,6 +693,17 @@ fn who_is_hit_from_behind_is_not_asked_to_brake() {
     assert!(of(behind, "0", "") && of(behind, "-25", "") && of(behind, "20", "speed = \"60 km/h\""));
     assert!(!of(behind, "20", "speed = \"20 km/h\"") && !of(behind, "40", "") && !of(behind, "180", ""));
     assert!(!of(["2.1", "-2.2"], "0", "") && !of(["2.1", "0.3"], "0", ""));
+    // Without contact points, the damaged sides tell it.
+    let by_sides = |own: &str, other: &str| {
+        let text = format!(
+            "[vehicle1]\nheading = \"0 deg\"\nspeed = \"40 km/h\"\n[vehicle1.crush]\nside = \"{own}\"\nees = \"20 km/h\"\n\
+             [vehicle2]\nheading = \"0 deg\"\n[vehicle2.crush]\nside = \"{other}\"\nees = \"20 km/h\"\n[avoid]\n\
+             limit = \"50 km/h\"\nvehicle = \"vehicle1\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ distance = \"30 m\" }}\nunbraked = true\n"
+        );
+        asked_with(&text, AvoidPlan::default()).is_err()
+    };
+    assert!(by_sides("rear", "front") && !by_sides("front", "rear") && !by_sides("rear", "left"));
 }
 
 /// The recorder stored 78 km/h, give or take 4 %: an answer with 50 km/h is told, and one with 76 km/h is

@@ -413,6 +413,7 @@ fn a_limit_holds() {
     let text = format!("{text}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n");
     let estimated = run(&read(&text), 128).unwrap();
     assert!(estimated.draws(speed(VehicleId::One)).unwrap().iter().all(|v| *v <= 10.0));
+    assert_eq!(estimated.certain, ["vehicle1.certain_speed"]);
     assert_eq!(estimated.unused, [Unused { key: "vehicle1.speed".to_owned(), reason: UnusedReason::Sought }]);
 }
 

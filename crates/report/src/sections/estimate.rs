@@ -5,10 +5,10 @@ use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
-    PieceFound, SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
+    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
 };
 use case::{Axes, Case, SeverityPrior};
-use evidence::{Piece, TestedClass};
+use evidence::TestedClass;
 use pim_core::VehicleId;
 
 use super::uncertainty::{MOST_DECIMALS, decimals_of, grouped, short};
@@ -118,13 +118,11 @@ pub(super) const NO_COLLISION: &str =
     "No collision reproduces all of the evidence, so no single answer can be given.";
 
 /// The evidence that the nearest collisions miss, and what to do.
-pub(super) fn missed(keys: &[String], pieces: &[PieceFound]) -> String {
-    let certain = pieces.iter().filter(|piece| matches!(piece.piece, Piece::Limits(_)));
-    let certain: Vec<String> = certain.map(|piece| piece.key.clone()).collect();
+pub(super) fn missed(keys: &[String], certain: &[String]) -> String {
     let limits = if certain.is_empty() {
         String::new()
     } else {
-        format!(" Nothing outweighs {}, which counts as certain: check it, too.", quoted(&certain, " and "))
+        format!(" Nothing outweighs {}, which counts as certain: check it, too.", quoted(certain, " and "))
     };
     format!(
         "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
@@ -167,8 +165,10 @@ impl<'a> Page<'a> {
             None => self.answer(),
             Some(NoEstimate::Unconverged) => self.doubts(),
             Some(NoEstimate::Contradicted(keys)) => {
-                let how =
-                    format!("{} The medians below are not an answer.", missed(&keys, &self.estimated.pieces));
+                let how = format!(
+                    "{} The medians below are not an answer.",
+                    missed(&keys, &self.estimated.certain)
+                );
                 self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
             }
         }

@@ -63,7 +63,7 @@ impl<'a> Headline<'a> {
                         how: format!(
                             "{because} So all of it was weighed. {} Each exact solution below takes a part of the evidence as \
                              free of errors.",
-                            super::estimate::missed(missed, &weighed.estimated.pieces)
+                            super::estimate::missed(missed, &weighed.estimated.certain)
                         ),
                     });
                 }
