@@ -18,8 +18,8 @@ use ::uncertainty::{SamplingMethod, Settings, random};
 use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
-    Faults, Find, GivenVehicle, KnownEnergy, OffLine, Quantity, SightForm, SpeedForm, Velocity,
-    format_number, is_of_avoid,
+    Faults, Find, GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number,
+    is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -118,9 +118,6 @@ pub struct Avoidance {
     /// (m/s) speeds of the vehicle at the impact that contradict each other: that of the answer, and that of
     /// its own recorder.
     pub own_speeds: Option<[f64; 2]>,
-    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes
-    /// the median of all evidence, which tells how certain it is.
-    pub exact_speed: Option<f64>,
     /// The speed that the rest of the case tells, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
@@ -240,6 +237,13 @@ impl Avoidance {
     pub fn pieces(&self) -> &[PieceFound] {
         let estimated = self.told.as_ref().and_then(|told| told.estimated.as_ref());
         estimated.map_or(&[], |estimated| &estimated.pieces)
+    }
+
+    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes the
+    /// median of all evidence, which tells how certain it is.
+    #[must_use]
+    pub fn exact_speed(&self) -> Option<f64> {
+        self.told.as_ref()?.exact
     }
 
     /// (–) probability that the other vehicle was stationary, where its motion counts and the evidence leaves
@@ -376,7 +380,6 @@ fn found(
     let is_given = matches!(speed_from, SpeedSource::AtDemand | SpeedSource::AtImpact | SpeedSource::Phases);
     let own_recorder = if is_given { RecordedSpeed::of(case, form.vehicle) } else { None };
     let own_speeds = own_recorder.and_then(|recorded| recorded.against(scene.at_impact));
-    let exact_speed = told.as_ref().and_then(|told| told.exact);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| ways_of(&case.avoid_plan()?).ok());
@@ -395,7 +398,6 @@ fn found(
         nearly_along,
         other_speeds,
         own_speeds,
-        exact_speed,
         told,
     })
 }
@@ -498,9 +500,7 @@ impl Told {
             Some(_) => alone.reconstruction().is_ok(),
             None => false,
         };
-        if is_posed
-            || Self::of_recorder(alone, vehicle, &AvoidPlan { samples: 0, ..AvoidPlan::default() }).is_some()
-        {
+        if is_posed || speed_by_recorder_alone(alone, vehicle).is_some() {
             return Ok(());
         }
         match estimate_evidence(alone) {
@@ -515,10 +515,7 @@ impl Told {
 
     /// By the table of its recorder alone.
     fn of_recorder(case: &Case, vehicle: VehicleId, plan: &AvoidPlan) -> Option<Self> {
-        if case.impact.is_some() || case.reconstruct.is_some() {
-            return None;
-        }
-        let found = speed_by_recorder(case, vehicle)?;
+        let found = speed_by_recorder_alone(case, vehicle)?;
         let key = random::key(plan.seed, &[OF_RECORDER]);
         let draw = |index: usize| found.quantile(at_random(key, index));
         Some(Self {
@@ -580,6 +577,12 @@ impl RecordedSpeed {
 fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
     let ground = case.surface.as_ref().map(|surface| surface.friction);
     case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)
+}
+
+/// The same where the case has no impact, whose evidence would tell it better.
+fn speed_by_recorder_alone(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
+    let is_alone = case.impact.is_none() && case.reconstruct.is_none();
+    if is_alone { speed_by_recorder(case, vehicle) } else { None }
 }
 
 /// A probability drawn for a sample.
@@ -765,9 +768,7 @@ fn touches_ahead(vehicle: &GivenVehicle) -> Option<bool> {
     if let Some(contact) = &vehicle.contact {
         return Some(contact.xy()[0] > 0.0);
     }
-    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
-    let of_ees = || vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|ees| ees.side);
-    match of_crush.or_else(of_ees)? {
+    match vehicle.damaged_side()? {
         Side::Front => Some(true),
         Side::Rear => Some(false),
         Side::Left | Side::Right => None,

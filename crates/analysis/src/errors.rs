@@ -1,7 +1,7 @@
 //! The errors of the evidence of momentum and of crush.
 
 use evidence::{CrushMisfit, DamagedSide, FITTED};
-use inputs::{Case, GivenVehicle, KnownEnergy};
+use inputs::{Case, GivenVehicle};
 use reconcile::EvidenceErrors;
 
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
@@ -12,12 +12,8 @@ use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 /// counts as an error because the bias of the stiffness in a file is unknown. On the RICSAC collisions it is
 /// 0.5.
 pub(crate) fn errors(case: &Case) -> EvidenceErrors {
-    let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {
-        (Some(crush), _) => Some(crush.side),
-        (None, Some(KnownEnergy::Ees(ees))) => ees.side,
-        (None, Some(KnownEnergy::Undamaged) | None) => None,
-    };
-    let hit: Vec<DamagedSide> = case.vehicles.iter().filter_map(side).map(DamagedSide::from).collect();
+    let sides = case.vehicles.iter().filter_map(GivenVehicle::damaged_side);
+    let hit: Vec<DamagedSide> = sides.map(DamagedSide::from).collect();
     let CrushMisfit { bias, ln_sd } = FITTED.crush_misfit(&hit);
     EvidenceErrors {
         speed: SPEED_AFTER_ERROR,

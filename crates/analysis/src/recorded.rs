@@ -84,11 +84,16 @@ pub struct OfImpact {
 const TAKEN: f64 = 0.5;
 
 /// (rad) the PDOF that the case gives for a vehicle.
-pub(crate) fn given_pdof(case: &Case, id: VehicleId) -> Option<f64> {
+fn given_pdof(case: &Case, id: VehicleId) -> Option<f64> {
     let vehicle = &case.vehicles[id.index()];
     let of_crush = vehicle.crush.as_ref().and_then(|crush| crush.pdof.as_ref());
     let of_energy = vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|given| given.pdof.as_ref());
     of_crush.or(of_energy).map(Pdof::rad)
+}
+
+/// Whether the case gives a PDOF for either vehicle.
+pub(crate) fn has_pdof(case: &Case) -> bool {
+    VehicleId::ALL.into_iter().any(|id| given_pdof(case, id).is_some())
 }
 
 /// The damage of both vehicles, and what CRASH3 makes of its energy.
@@ -144,8 +149,8 @@ fn known_impact(case: &Case, id: VehicleId) -> (KnownImpact, MatchErrors) {
         let delta_v = assessed.filter(|_| !alone).and_then(|assessed| assessed.delta_v(id));
         KnownImpact { force_direction: given.or(pdof), delta_v }
     };
-    let has_direction = VehicleId::ALL.into_iter().any(|id| given_pdof(case, id).is_some());
-    match with_normal_forces(case).filter(|_| !has_direction && !alone) {
+    let by_plane = if alone || has_pdof(case) { None } else { with_normal_forces(case) };
+    match by_plane {
         Some((case, directions)) => {
             let errors = MatchErrors { direction: OF_NORMAL, ..MatchErrors::default() };
             (of(Assessed::of(&case), Some(directions[id.index()])), errors)

@@ -739,9 +739,9 @@ fn the_speed_is_that_of_the_distribution_behind_the_probability() {
     // By hand: both EES give 66.0 kJ; along one line that is ½ m (1 − e²) v² with m = 746.7 kg, so 13.44 m/s.
     let energy = 0.5 * (1400.0 * (25.0_f64 / 3.6).powi(2) + 1600.0 * (24.0_f64 / 3.6).powi(2));
     let exact = (2.0 * energy / (1400.0 * 1600.0 / 3000.0) / (1.0 - 0.15 * 0.15)).sqrt();
-    assert!((found.exact_speed.unwrap() - exact).abs() < 1e-6, "{:?} {exact}", found.exact_speed);
+    assert!((found.exact_speed().unwrap() - exact).abs() < 1e-6, "{:?} {exact}", found.exact_speed());
     let plain = asked_with(text, AvoidPlan { exact: true, ..AvoidPlan::default() }).unwrap();
-    assert_eq!((plain.speed_from, plain.exact_speed), (SpeedSource::Reconstructed, None));
+    assert_eq!((plain.speed_from, plain.exact_speed()), (SpeedSource::Reconstructed, None));
     assert!((plain.scene.at_impact - exact).abs() < 1e-6);
 }
 

@@ -413,25 +413,24 @@ fn the_force_on_the_other_vehicle_tells_records_apart() {
     }
 }
 
-/// Two cars that meet front to front, each with an EES of 38 km/h and without a PDOF. By hand, they approach
-/// with v = 2·38/√(1 − 0.1²) km/h, and have a ΔV of 1.1 v/2 = 42.0 km/h: a record of 3 km/h is not of that
-/// impact, and one of 42 is.
+/// Two cars that meet front to front, with unknown speeds and the crush of each, without a PDOF.
+fn sought(crush: [&str; 2], recorder: &str) -> CaseFile {
+    let mut text = head_on(recorder).source.text().to_owned();
+    for (speed, crush) in ["50", "40"].into_iter().zip(crush) {
+        let crush = format!("crush = {{ side = \"front\", {crush} }}\n");
+        text = text.replacen(&format!("speed = \"{speed} km/h\"\n"), &crush, 1);
+    }
+    CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Both have an EES of 38 km/h. By hand, they approach with v = 2·38/√(1 − 0.1²) km/h, and have a ΔV of
+/// 1.1 v/2 = 42.0 km/h: a record of 3 km/h is not of that impact, and one of 42 is.
 #[test]
 fn records_are_told_apart_without_a_pdof() {
-    let vehicle = |n: u8, heading: u16| {
-        format!(
-            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\n\
-             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"front\"\nees = \"38 km/h\"\n"
-        )
-    };
-    let text = format!(
-        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n\
-         [[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"-3 km/h\"\nspeed = \"60 km/h\"\n\
-         [[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"-42 km/h\"\nspeed = \"58 km/h\"\n",
-        vehicle(1, 0),
-        vehicle(2, 180)
-    );
-    let file = CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"));
+    let records = "records = [\n\
+         { delta_v_longitudinal = \"-3 km/h\", speed = \"60 km/h\" },\n\
+         { delta_v_longitudinal = \"-42 km/h\", speed = \"58 km/h\" },\n]";
+    let file = sought(["ees = \"38 km/h\""; 2], records);
     let reading = recorders(&file.case).unwrap();
     let of_impact = reading.vehicles[0].as_ref().unwrap().of_impact;
     assert_eq!(of_impact.number, Some(2), "{of_impact:?}");
@@ -446,18 +445,8 @@ fn records_are_told_apart_without_a_pdof() {
 /// the measured crush of the other vehicle stays what it is.
 #[test]
 fn crush_by_the_balance_of_forces_takes_nothing_from_that_of_the_other() {
-    let vehicle = |n: u8, heading: u16, crush: &str| {
-        format!(
-            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\n\
-             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"front\"\nwidth = \"120 cm\"\n\
-             stiffness = {{ category = 3 }}\n{crush}\n"
-        )
-    };
-    let text = format!(
-        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n",
-        vehicle(1, 0, "depths = \"40 35 20 5 cm\""),
-        vehicle(2, 180, "from_force_balance = true")
-    );
-    let file = CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"));
+    let of = |evidence: &str| format!("width = \"120 cm\", stiffness = {{ category = 3 }}, {evidence}");
+    let crush = [of("depths = \"40 35 20 5 cm\""), of("from_force_balance = true")];
+    let file = sought(crush.each_ref().map(String::as_str), "");
     assert_eq!(estimate_evidence(&file.case).unwrap(), ["crush"]);
 }

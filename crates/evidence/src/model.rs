@@ -316,22 +316,19 @@ impl<I: Impacts> CollisionModel<I> {
             Piece::Pdof(id) => {
                 let of = |id: VehicleId| Some((vehicle(id).pdof?, impacted.outcome.pdof()[id.index()]));
                 match (of(id), of(id.other())) {
-                    (Some((coded, pdof)), Some((other, other_pdof))) => {
+                    (Some((coded, pdof)), Some((other, other_pdof))) if self.observed.pdofs_differ => {
+                        // Without a sign, so that a force between the two is off by one of them.
+                        let [error, beside] = [coded.pdof - pdof, other.pdof - other_pdof]
+                            .map(|error| principal_angle(error).abs());
+                        let is_nearer = error * other.scale <= beside * coded.scale;
+                        if is_nearer { coded.of(error) } else { other.of(beside) }
+                    }
+                    (Some((coded, pdof)), Some((other, other_pdof))) if coded.scale == other.scale => {
                         let [error, beside] =
                             [coded.pdof - pdof, other.pdof - other_pdof].map(principal_angle);
-                        let apart = principal_angle(beside - error);
-                        if self.observed.pdofs_differ {
-                            // Without a sign, so that a force between the two is off by one of them.
-                            let [error, beside] = [error.abs(), beside.abs()];
-                            let is_nearer = error * other.scale <= beside * coded.scale;
-                            if is_nearer { coded.of(error) } else { other.of(beside) }
-                        } else if coded.scale == other.scale {
-                            coded.of(principal_angle(error + 0.5 * apart))
-                        } else {
-                            coded.of(error)
-                        }
+                        coded.of(principal_angle(error + 0.5 * principal_angle(beside - error)))
                     }
-                    (Some((coded, pdof)), None) => coded.error(pdof),
+                    (Some((coded, pdof)), _) => coded.error(pdof),
                     (None, _) => Error::NONE,
                 }
             }

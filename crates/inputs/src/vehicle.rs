@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crash3::VehicleClass;
+use crash3::{Side, VehicleClass};
 use pim_core::{Motion, Real, Vector2};
 
 use crate::after::{After, Before, GivenPhase, Skid};
@@ -115,6 +115,16 @@ impl<T> GivenVehicle<T> {
             !crush.from_force_balance && has_width && crush.offset.is_some()
         });
         !self.fixed && self.contact.is_none() && is_placed && self.has_outline()
+    }
+
+    /// The side that was damaged, by its crush or its EES.
+    #[must_use]
+    pub fn damaged_side(&self) -> Option<Side> {
+        match (&self.crush, &self.energy) {
+            (Some(crush), _) => Some(crush.side),
+            (None, Some(KnownEnergy::Ees(ees))) => ees.side,
+            (None, Some(KnownEnergy::Undamaged) | None) => None,
+        }
     }
 
     /// The skid marks before the impact.

@@ -28,7 +28,7 @@ use crate::columns::Number;
 use crate::failure::Failure;
 use crate::given::{certain_limits, speed_limits, with_sideslip};
 use crate::normal_force::reference;
-use crate::recorded::{RecordsOfImpact, given_pdof, with_records_of_impact};
+use crate::recorded::{RecordsOfImpact, has_pdof, with_records_of_impact};
 use crate::thresholds::FASTEST_BELIEVED;
 use crate::uncertainty::{UncertainInput, any_inputs, inputs};
 use crate::unsolved;
@@ -424,7 +424,7 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
 /// Takes away the crush that the balance of forces would give, where no PDOF says in which directions they
 /// act: it is no evidence, and follows from none.
 fn without_inferred_crush(case: &mut Case) -> Vec<Unused> {
-    if VehicleId::ALL.into_iter().any(|id| given_pdof(case, id).is_some()) {
+    if has_pdof(case) {
         return Vec::new();
     }
     let mut unused = Vec::new();
@@ -690,13 +690,13 @@ impl Open {
     }
 }
 
-/// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
 /// Whether no vehicle that stood has such a recorded speed: one from a table has no error at zero, and any
 /// other is far beyond that error.
 fn excludes_standing(told: RecordersSpeed) -> bool {
     told.is_of_table || told.speed > MISSED * LEAST_SPEED_ERROR
 }
 
+/// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
 fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     let ground = case.surface.as_ref().map(|surface| surface.friction);
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;

@@ -321,7 +321,8 @@ fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
 fn of_recorder(found: &Avoidance, units: Units) -> Option<String> {
     let [used, recorded] = found.own_speeds?.map(|speed| units.road_speed(speed));
     Some(format!(
-        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct one of them, or give no          speed: the recorder then tells it.",
+        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct one of them, or give no \
+         speed: the recorder then tells it.",
         found.vehicle
     ))
 }
@@ -395,7 +396,7 @@ fn how(found: &Avoidance, units: Units) -> String {
         SpeedSource::AtImpact => "The speed at the impact is that of the case",
         SpeedSource::Reconstructed => "The speed at the impact is that of `deltav reconstruct`",
         SpeedSource::Estimated => {
-            let exact = found.exact_speed.map(|exact| {
+            let exact = found.exact_speed().map(|exact| {
                 let exact = units.road_speed(exact);
                 format!("; `deltav reconstruct`, which takes its evidence as exact, finds {exact}")
             });
