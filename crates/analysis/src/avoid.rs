@@ -239,8 +239,8 @@ impl Avoidance {
         estimated.map_or(&[], |estimated| &estimated.pieces)
     }
 
-    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes the
-    /// median of all evidence, which tells how certain it is.
+    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes
+    /// the median of all evidence, which tells how certain it is.
     #[must_use]
     pub fn exact_speed(&self) -> Option<f64> {
         self.told.as_ref()?.exact

@@ -94,7 +94,7 @@ impl DamagePicture {
         }
         canvas.place_labels(room);
         let at = Point::new(EDGE + 4.0, bottom + 14.0);
-        legend::scale_bar(&mut canvas, "scale", at, scale * self.length.size, &self.length, "");
+        legend::scale_bar(&mut canvas, "scale", at, scale, &self.length, "");
         let fill = canvas.pattern("crushed");
         let mut entries = vec![
             (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),

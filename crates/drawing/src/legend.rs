@@ -130,7 +130,7 @@ pub(crate) fn height(entries: usize, columns: usize) -> f64 {
     ROW * (count(entries.div_ceil(columns.max(1))) + 0.5)
 }
 
-/// A bar of round length, at `pixels` per unit. Returns the point to the right of its text.
+/// A bar of round length in a unit, at `pixels` per unit of SI. Returns the point to the right of its text.
 pub(crate) fn scale_bar(
     canvas: &mut Canvas,
     id: &str,
@@ -139,6 +139,7 @@ pub(crate) fn scale_bar(
     ScaleUnit { name, size }: &ScaleUnit,
     what: &str,
 ) -> f64 {
+    let pixels = pixels * size;
     let (length, decimals) = ticks::round(150.0 / pixels);
     let end = Point::new(at.x + length * pixels, at.y);
     let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };

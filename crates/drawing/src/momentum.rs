@@ -126,7 +126,7 @@ impl MomentumPicture {
         canvas.place_labels(area);
         let bar_row = area.y1 + 30.0;
         let bar = Point::new(EDGE + 4.0, bar_row);
-        legend::scale_bar(&mut canvas, "scale", bar, per_momentum * self.momentum.size, &self.momentum, "");
+        legend::scale_bar(&mut canvas, "scale", bar, per_momentum, &self.momentum, "");
         let mut entries = vec![
             (Sample::Arrow(BEFORE, Head::Filled), "mv: momentum before the impact".to_owned()),
             (Sample::Arrow(AFTER, Head::Open), "mV: momentum after the impact".to_owned()),

@@ -636,14 +636,7 @@ impl Page<'_> {
         let motion = self.motion;
         let row = self.area.y1 + 34.0;
         let at = Point::new(EDGE + 4.0, row);
-        legend::scale_bar(
-            &mut self.canvas,
-            "scale",
-            at,
-            self.view.scale * motion.length.size,
-            &motion.length,
-            "",
-        );
+        legend::scale_bar(&mut self.canvas, "scale", at, self.view.scale, &motion.length, "");
         let mut bottom = row + 22.0;
         if let Some(uphill) = &motion.uphill {
             let half = flipped(unit(vec2(uphill.vector))) * (0.5 * UPHILL);

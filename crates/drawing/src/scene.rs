@@ -442,13 +442,13 @@ impl Page<'_> {
     fn scales(&mut self, y: f64, arrows: &Arrows) {
         let ScenePicture { length, speed, .. } = self.scene;
         let at = Point::new(EDGE + 4.0, y);
-        legend::scale_bar(&mut self.canvas, "scale", at, self.view.scale * length.size, length, "");
+        legend::scale_bar(&mut self.canvas, "scale", at, self.view.scale, length, "");
         if self.scene.vehicles.iter().all(|vehicle| vehicle.motion.is_none()) {
             return;
         }
         let at = Point::new(WIDTH / 2.0, y);
         let what = " for the arrows of velocity";
-        legend::scale_bar(&mut self.canvas, "velocity-scale", at, arrows.per_speed * speed.size, speed, what);
+        legend::scale_bar(&mut self.canvas, "velocity-scale", at, arrows.per_speed, speed, what);
     }
 
     fn entries(&self) -> Vec<(Sample, String)> {

@@ -887,7 +887,7 @@ fn a_line_of_sight_passes_the_corner_of_an_obstacle() {
         let places = ends.into_iter().zip(["1.0 s", "0.0 s"]);
         places.map(|(at, time)| (at, text(time))).collect::<Vec<_>>()
     };
-    let svg = SightPicture {
+    let picture = SightPicture {
         title: text("A <corner>"),
         subtitle: text("What the obstacles hide"),
         description: text("A house."),
@@ -895,10 +895,9 @@ fn a_line_of_sight_passes_the_corner_of_an_obstacle() {
         ways: [way([[-10.0, 0.0], [0.0, 0.0]]), way([[2.0, 3.0], [2.0, 0.0]])],
         legend: ["eye", "cyclist"].map(text),
         line: Some(([[-10.0, 0.0], [2.0, 3.0]], text("the view becomes free"))),
-        scale: ScaleUnit { name: text("m"), size: 1.0 },
-    }
-    .draw()
-    .svg();
+        scale: ScaleUnit { name: text("ft"), size: 0.3048 },
+    };
+    let svg = picture.draw().svg();
     for id in ["obstacle-1", "way-1", "way-2", "place-1-1", "place-2-2", "line", "eye", "point", "scale"] {
         assert!(svg.contains(&format!("id=\"sight-{id}\"")), "{id}");
     }
@@ -914,4 +913,13 @@ fn a_line_of_sight_passes_the_corner_of_an_obstacle() {
     assert!((upward / across - 0.25).abs() < 1e-3, "{upward} {across}");
     let to_impact = value("place-1-2", "cx") - value("eye", "cx");
     assert!((to_impact / across - 10.0 / 12.0).abs() < 1e-3);
+    // The bar is as long as its text says: the metres that it stands for, at the 12 m across.
+    let element = svg.split("id=\"sight-scale\"").nth(1).unwrap().split('>').next().unwrap();
+    let end = |key: &str| -> f64 {
+        let point = element.split(&format!("{key}=\"")).nth(1).unwrap();
+        point.split(' ').next().unwrap().parse().unwrap()
+    };
+    let bar = end("data-to") - end("data-from");
+    let feet = svg.split(" ft</text>").next().unwrap().rsplit('>').next().unwrap().parse::<f64>().unwrap();
+    assert!((bar / across - feet * 0.3048 / 12.0).abs() < 1e-3, "{bar} {across} {feet}");
 }
