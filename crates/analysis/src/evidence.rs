@@ -54,6 +54,8 @@ pub enum EvidenceMethod {
         /// Whose speed is given.
         given: VehicleId,
     },
+    /// From the crush energy of a vehicle that hit a fixed object.
+    DamageByObject,
     /// From the crush energy: the vehicles approach along one line, so it gives their relative speed, but not
     /// the share of each.
     DamageAlongLine,
@@ -211,8 +213,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
     let found = |case: &Case, given: VehicleId| reconstruct(&seeking(case, Find::One(given.other())));
     if let Some(given) = given_speed(case) {
         let analysis = found(&bare, given)?;
-        let by = EvidenceMethod::DamageAndSpeed { given };
-        return of_impact(&analysis, by).ok_or(NoEvidence::NeedsSpeedOrPdof);
+        return of_impact(&analysis, analysis.solved_by()).ok_or(NoEvidence::NeedsSpeedOrPdof);
     }
     if case.approach_angle().is_some_and(are_collinear) {
         // An impact depends only on the relative velocity: any speed of vehicle 2 gives the same one.

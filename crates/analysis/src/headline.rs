@@ -79,6 +79,7 @@ impl Analysis {
     #[must_use]
     pub fn solved_by(&self) -> EvidenceMethod {
         match (&self.found, self.both.as_ref().map(|both| &both.method)) {
+            (Some(found), _) if !self.moves(found.unknown.other()) => EvidenceMethod::DamageByObject,
             (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.other() },
             (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
             (None, Some(BothMethod::MomentumAndSpeed { given })) => {

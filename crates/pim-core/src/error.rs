@@ -80,6 +80,15 @@ pub enum InvalidInput {
         /// (m/s) the speed where it ends.
         end: f64,
     },
+    /// A stretch of constant acceleration in which the vehicle would stop and back.
+    #[error(
+        "a stretch that begins at {start:.2} m/s would lose more speed than that, so that the vehicle would stand before the \
+         stretch ends; make it shorter, or the deceleration less"
+    )]
+    StopsWithin {
+        /// (m/s) the speed where it begins.
+        start: f64,
+    },
     /// Two fixed bodies cannot collide.
     #[error("both bodies are fixed, but at least one must be able to move")]
     BothFixed,

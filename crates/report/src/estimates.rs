@@ -346,8 +346,8 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::OtherPdof => [
             "other_pdof",
-            "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same; of two that lie \
-             more than 30° apart, the one that is nearer to each collision",
+            "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same; of two that \
+             are too far from opposite to be of one force, the one that is nearer to each collision",
             "nothing: they are counted once",
         ],
         UnusedReason::Wreck => [

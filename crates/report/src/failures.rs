@@ -1,7 +1,7 @@
 //! The sentence of each case without an answer.
 
 use ::estimate::NoDraws;
-use analysis::{Failure, Impossible};
+use analysis::{FASTEST_BACK, Failure, Impossible};
 use crash3::CrushError;
 use evidence::Piece;
 use pim_core::{ImpactError, VehicleId};
@@ -76,11 +76,12 @@ fn excluded(impossible: &Impossible) -> String {
         _ if impossible.exclusion.possible > 0 => {
             "widen the limits that are stated as certain, and check the headings, contact points and crush plane"
         }
-        _ => {
+        _ => &format!(
             "check the headings, the contact points and the crush plane, which is the angle of its normal; a vehicle that \
              backed into the other has a speed below zero, which is sought only if the case allows it: certain_speed = \
-             { at_least = \"-30 km/h\", at_most = \"0 km/h\" }"
-        }
+             {{ at_least = \"{:.0} km/h\", at_most = \"0 km/h\" }}",
+            -3.6 * FASTEST_BACK
+        ),
     };
     format!("{impossible}; {what}")
 }

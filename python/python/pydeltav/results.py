@@ -1364,6 +1364,8 @@ class AvoidanceAnswer(Record):
     """(m/s) its speed at the demand."""
     speed_source: str
     """``"avoid"``, ``"vehicle"``, ``"reconstruct"``, ``"estimate"``, ``"phases"`` or ``"recorder"``."""
+    exact_speed_at_impact: float | None
+    """(m/s) by the exact solution that leads ``reconstruct``; None unless the speed comes from ``estimate``."""
     limit: float
     """(m/s) the speed limit, or the other speed that is tested."""
     demand: Demand

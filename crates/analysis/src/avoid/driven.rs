@@ -206,7 +206,10 @@ fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
             (None, Some(time), Some(a)) => Phase::For { time, acceleration: -a },
             _ => Phase::For { time: 0.0, acceleration: 0.0 },
         };
-        speed = approach(&Leg { speed, ..Leg::at_rest(0.0, 0.0) }, backwards)?.speed;
+        speed = match approach(&Leg { speed, ..Leg::at_rest(0.0, 0.0) }, backwards) {
+            Err(InvalidInput::GainsMore { end }) => return Err(InvalidInput::StopsWithin { start: end }),
+            ends => ends?.speed,
+        };
         starts.push(speed);
     }
     Ok(starts)

@@ -147,6 +147,7 @@ fn method(by: EvidenceMethod, units: Units) -> String {
         EvidenceMethod::DamageAndSpeed { given } => {
             format!("from the crush energy and the given speed of vehicle {given} (theory 6)")
         }
+        EvidenceMethod::DamageByObject => "from the crush energy by a fixed object (theory 6)".to_owned(),
         EvidenceMethod::DamageAlongLine => {
             "from the crush energy alone (theory 6): along one line it gives the \
              closing speed and both ΔV, but not how much of the closing speed each vehicle had"
