@@ -423,6 +423,12 @@ fn phases_that_cannot_be_get_a_sentence() {
         let refused = asked(&text(phases, lines)).unwrap_err().to_string();
         assert!(refused.contains(says), "{phases} {lines}: {refused}");
     }
+    // Followed onward: 5 m/s last 5/7 s at 7 m/s², and 25/14 m.
+    for short in ["time = \"2 s\"", "distance = \"2 m\""] {
+        let leads_on = text(&format!("{{ speed = \"5 m/s\", {short}, acceleration = \"-7 m/s^2\" }}"), "");
+        let refused = asked(&leads_on.replacen("speed = \"10 m/s\"\n", "", 1)).unwrap_err().to_string();
+        assert!(refused.contains("begins at 5.00 m/s would lose more speed than that"), "{short}: {refused}");
+    }
 }
 
 /// A path with a corner: the place of the eye by hand. It comes from the south, turns at (−10, 0) and is at
