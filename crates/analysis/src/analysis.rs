@@ -43,7 +43,8 @@ pub struct Analysis<W = Warning> {
     /// The keys of evidence in the case that this answer does not use. An over-determined problem has no
     /// exact solution that takes account of everything.
     pub left_aside: Vec<String>,
-    /// Whether the case has enough data to weigh that evidence; only tested if there is any.
+    /// Whether the case has enough data to weigh that evidence, or crush energies with a known average error;
+    /// only tested if there is any.
     pub can_be_weighed: bool,
     /// The consistency checks, passed or not.
     pub checks: Vec<Check>,

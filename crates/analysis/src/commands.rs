@@ -15,7 +15,7 @@ use crate::uncertainty::{self, Plan, Stage, Uncertainty};
 
 /// An analysis of a case, and whether the evidence that it does not use can be weighed.
 fn with_weighing(case: &Case, mut analysis: Analysis) -> Analysis {
-    analysis.can_be_weighed = can_be_weighed(case, &analysis.left_aside);
+    analysis.can_be_weighed = can_be_weighed(case, &analysis);
     analysis
 }
 

@@ -89,6 +89,14 @@ pub enum EvidenceMethod {
     },
 }
 
+impl EvidenceMethod {
+    /// Whether the answer depends on crush energies.
+    #[must_use]
+    pub fn is_by_damage(self) -> bool {
+        !matches!(self, Self::Momentum | Self::MomentumAndSpeed { .. } | Self::Wall { .. })
+    }
+}
+
 /// Why a kind of evidence has no answer.
 #[derive(Debug)]
 pub enum NoEvidence {

@@ -10,7 +10,7 @@ use pim_core::VehicleId;
 use crate::analysis::Analysis;
 use crate::check::{Check, CheckedQuantity};
 use crate::estimate::{
-    EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence, may_back,
+    Agreement, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence, may_back,
 };
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::failure::Failure;
@@ -18,7 +18,7 @@ use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::speeds::BothMethod;
-use crate::warning::Warning;
+use crate::warning::{Warning, of_categories};
 
 impl<W> Analysis<W> {
     /// The checks that refute this exact solution: those that compare it with evidence or with what is
@@ -41,15 +41,16 @@ impl<W> Analysis<W> {
     }
 }
 
-/// Whether any of the evidence that an answer does not use can be weighed with the rest: a case for momentum
-/// of point masses may lack data for that, and a rest position is no evidence if the vehicle cannot be
-/// followed to it.
-pub(crate) fn can_be_weighed(case: &Case, left_aside: &[String]) -> bool {
-    if left_aside.is_empty() {
+/// Whether the evidence that an answer does not use, or whose error it does not correct, can be weighed with
+/// the rest: a case for momentum of point masses may lack data for that, and a rest position is no evidence if
+/// the vehicle cannot be followed to it.
+pub(crate) fn can_be_weighed(case: &Case, exact: &Analysis) -> bool {
+    let is_biased = exact.energy_share().is_some();
+    if exact.left_aside.is_empty() && !is_biased {
         return false;
     }
     let Ok(pieces) = estimate_evidence(case) else { return false };
-    left_aside.iter().any(|key| is_of(key, &pieces))
+    is_biased || exact.left_aside.iter().any(|key| is_of(key, &pieces))
 }
 
 /// Whether one of these pieces of evidence comes from a key; those of a recorder from any of its keys.
@@ -70,8 +71,11 @@ pub struct Overdetermined {
     pub left_aside: Vec<String>,
     /// Its own checks that refute it.
     pub refuted_by: Vec<Check>,
-    /// Whether evidence that it does not use contradicts it.
+    /// Whether evidence that it does not use contradicts it, or a vehicle would be faster backward than any
+    /// that backs.
     pub is_contradicted: bool,
+    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct them.
+    pub energy_share: Option<f64>,
 }
 
 impl Analysis {
@@ -92,26 +96,36 @@ impl Analysis {
         }
     }
 
+    /// (–) the average share of the impact's energy that crush energies by a category of stiffness show, if this
+    /// solution depends on some; it takes them as they are.
+    #[must_use]
+    pub fn energy_share(&self) -> Option<f64> {
+        self.warnings.iter().find_map(Warning::energy_share)
+    }
+
     /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the
-    /// unknown speeds and the checks hold, if the unused evidence cannot be weighed but contradicts nothing,
-    /// and if no speed is unknown.
+    /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be weighed
+    /// but contradicts nothing, and if no speed is unknown.
     #[must_use]
     pub fn overdetermined(&self) -> Option<Overdetermined> {
         if self.found.is_none() && self.both.is_none() {
             return None;
         }
         let refuted = self.refuting();
-        let differs = |warning: &Warning| {
-            matches!(warning, Warning::EvidenceDiffers { .. } | Warning::BelowRecord { .. })
+        let differs = |warning: &Warning| match warning {
+            Warning::EvidenceDiffers { .. } | Warning::BelowRecord { .. } => true,
+            Warning::MovesBackward { speed, found: true, .. } => *speed < -FASTEST_BACK,
+            _ => false,
         };
         let why = Overdetermined {
             solved_by: self.solved_by(),
             left_aside: self.left_aside.clone(),
             refuted_by: refuted.copied().collect(),
             is_contradicted: self.warnings.iter().any(differs),
+            energy_share: self.energy_share(),
         };
         let is_refuted = why.is_contradicted || !why.refuted_by.is_empty();
-        (is_refuted || (!why.left_aside.is_empty() && self.can_be_weighed)).then_some(why)
+        (is_refuted || self.can_be_weighed).then_some(why)
     }
 }
 
@@ -143,6 +157,10 @@ pub struct Solution {
     pub outside: [[bool; 2]; 2],
     /// (m/s) the given speeds from which these differ.
     pub differs_from: [Option<f64>; 2],
+    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct them.
+    pub energy_share: Option<f64>,
+    /// Whether it takes a PDOF as exact that all the other evidence contradicts.
+    pub has_wrong_pdof: bool,
     /// Its checks that fail, only for the solution that the analysis details.
     pub failed: Vec<Check>,
     /// Whether the analysis details it.
@@ -224,6 +242,11 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
     solutions
 }
 
+/// (–) the average share of the impact's energy that the crush energies of a case show, if that is known.
+fn energy_share(case: &Case, exact: &Analysis) -> Option<f64> {
+    of_categories(case, &exact.vehicles).as_ref().and_then(Warning::energy_share)
+}
+
 /// (–) of a given speed, or of 1 m/s if that is greater: a smaller difference is rounding in the case.
 const SAME_SPEED: f64 = 0.01;
 
@@ -256,7 +279,21 @@ impl Found {
             let (found, given) = (speeds[id.index()]?, GivenSpeed::of_known(case, id)?.speed);
             ((found - given).abs() > SAME_SPEED * given.abs().max(1.0)).then_some(given)
         });
+        let energy_share = energy_share(case, exact).filter(|_| self.by.is_by_damage());
+        let takes_pdof = matches!(self.by, EvidenceMethod::Crash3 { pdof_is_given: true });
+        let contradicting = estimated.with_agreement(Agreement::Contradicts);
+        let has_wrong_pdof = takes_pdof && contradicting.iter().any(|key| key.ends_with(".crush.pdof"));
         let failed = exact.refuting().filter(|_| is_detailed).copied().collect();
-        Solution { by: self.by, speeds, delta_v, outside, differs_from, failed, is_detailed }
+        Solution {
+            by: self.by,
+            speeds,
+            delta_v,
+            outside,
+            differs_from,
+            energy_share,
+            has_wrong_pdof,
+            failed,
+            is_detailed,
+        }
     }
 }

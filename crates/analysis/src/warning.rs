@@ -608,6 +608,11 @@ impl Warning {
         ObjectPassed { vehicle } => "object-passed",
     }
 
+    /// (–) the average share of the impact's energy that crush energies show, if that is what it says.
+    pub(crate) fn energy_share(&self) -> Option<f64> {
+        if let Self::CategoryEnergy { share, .. } = self { Some(*share) } else { None }
+    }
+
     /// Whether it concerns an exact solution, and not the data of the case: if all the evidence is weighed,
     /// it does not apply to the answer.
     #[must_use]
@@ -661,8 +666,9 @@ pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warn
     });
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
     let has_object = case.vehicles.iter().any(|vehicle| vehicle.fixed);
-    (of != [false; 2] && !is_corrected && !has_object)
-        .then(|| Warning::CategoryEnergy { of, share: real::elementary::exp(FITTED.crush_bias) })
+    let bias = if has_object { FITTED.objects.misfit.bias } else { FITTED.crush_bias };
+    (of != [false; 2] && !is_corrected)
+        .then(|| Warning::CategoryEnergy { of, share: real::elementary::exp(bias) })
 }
 
 /// Warnings about a speed (m/s) that was found.

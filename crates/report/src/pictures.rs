@@ -293,8 +293,10 @@ fn caveat(analysis: &Analysis) -> String {
         "its own checks refute it"
     } else if why.is_contradicted {
         "other evidence of the case contradicts it"
-    } else {
+    } else if !why.left_aside.is_empty() {
         "the case has more evidence than it uses"
+    } else {
+        "it does not correct the average error of its crush energies"
     };
     format!("Exact solution by {}, not the answer: {reason}.", words::solution(analysis.solved_by()))
 }

@@ -142,7 +142,9 @@ class WhyNotExact(Record):
     refuted_by: tuple[str, ...]
     """Codes of the checks that it does not pass."""
     contradicted: bool
-    """Whether other evidence contradicts it."""
+    """Whether other evidence contradicts it, or a vehicle would back faster than any does."""
+    energy_share: float | None
+    """The average share of the impact's energy that its crush energies show, if it does not correct them."""
 
 
 class HeadlineFigure(Record):

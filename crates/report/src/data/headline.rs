@@ -37,6 +37,8 @@ struct WhyBlock {
     left_aside: Vec<String>,
     refuted_by: Vec<&'static str>,
     contradicted: bool,
+    /// The average share of the impact's energy that its crush energies show, if it does not correct them.
+    energy_share: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -75,6 +77,7 @@ impl WhyBlock {
             left_aside: why.left_aside.clone(),
             refuted_by: why.refuted_by.iter().map(|check| check.code()).collect(),
             contradicted: why.is_contradicted,
+            energy_share: why.energy_share,
         }
     }
 }

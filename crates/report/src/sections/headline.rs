@@ -7,7 +7,7 @@ use pim_core::VehicleId;
 use crate::checks;
 use crate::document::{Block, Column, Document, NONE, Row, Table, Width};
 use crate::estimates::Asked;
-use crate::units::{Measure, Units};
+use crate::units::{Measure, Units, number};
 use crate::words;
 
 /// The headline of a document on a reconstruction.
@@ -34,12 +34,14 @@ impl<'a> Headline<'a> {
         match self {
             Self::Exact => Vec::new(),
             Self::Unweighed(why) => {
-                let why_not = if why.left_aside.is_empty() {
+                let why_not = if !why.left_aside.is_empty() {
+                    "The case has more evidence than any one exact solution uses"
+                } else if why.is_contradicted || !why.refuted_by.is_empty() {
                     "Evidence refutes the exact solution"
                 } else {
-                    "The case has more evidence than any one exact solution uses"
+                    "Crush energies by a category of stiffness are too small on average"
                 };
-                let found = vec![format!("{why_not}: the answer is the estimate from all of it.")];
+                let found = vec![format!("{why_not}: the answer is the estimate from all evidence.")];
                 let how = format!(
                     "{} `deltav estimate` weighs all the evidence. The exact solution below takes its part of the evidence \
                      as free of errors.",
@@ -99,7 +101,20 @@ fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
         let which = if reasons.is_empty() { "the exact solution" } else { "it" };
         reasons.push(format!("Evidence contradicts {which}, as the warnings say."));
     }
+    if let Some(share) = why.energy_share {
+        let which = if reasons.is_empty() { "The exact solution" } else { "It" };
+        reasons.push(format!("{which} {}.", takes(share)));
+    }
     reasons.join(" ")
+}
+
+/// What an exact solution does with crush energies that on average show this share of the impact's energy.
+fn takes(share: f64) -> String {
+    let share = number(100.0 * share, 0);
+    format!(
+        "takes crush energies by a category of stiffness as they are, though in real crashes they were on average {share} % of \
+         the energy of the impact"
+    )
 }
 
 /// The checks of the exact solution that refute it, with what they found.
@@ -173,6 +188,10 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
             let [found, given] = [found, given].map(|si| units.format(Measure::RoadSpeed, si));
             reasons.push(format!("gives vehicle {id} {found}, where the case has {given}"));
         }
+    }
+    reasons.extend(solution.energy_share.map(takes));
+    if solution.has_wrong_pdof {
+        reasons.push("takes a PDOF as exact that the other evidence contradicts".to_owned());
     }
     if !solution.failed.is_empty() {
         reasons.push(format!("checks that fail: {}", refuted(analysis, units).join("; ")));

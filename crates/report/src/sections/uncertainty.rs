@@ -87,7 +87,7 @@ impl<'a> Page<'a> {
         if uncertainty.nominal.overdetermined().is_some() {
             lines.push(format!(
                 "All intervals are those of the exact solution by {}, which is not the answer of the case: \
-                 the case has more evidence than that solution uses. `deltav reconstruct` weighs all of it.",
+                 `deltav reconstruct` says why, and weighs all evidence.",
                 words::solution(uncertainty.nominal.solved_by())
             ));
         }
