@@ -40,12 +40,13 @@ use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
 use crate::columns::Number;
 use crate::commands::{reconstruct, uncertainty_of};
 use crate::estimate::{
-    EstimatePlan, EstimateStage, Estimated, NoEstimate, PieceDetail, PieceFound, estimate, estimate_evidence,
+    EstimatePlan, EstimateStage, Estimated, EstimatedOutput, NoEstimate, PieceDetail, PieceFound, estimate,
+    estimate_evidence,
 };
 use crate::failure::Failure;
 use crate::given::GivenSpeed;
 use crate::output::Output;
-use crate::quantities::SPEED;
+use crate::quantities::{DELTA_V, SPEED};
 use crate::recorded::{RecordsOfImpact, with_records_of_impact};
 use crate::seen::SeenWarning;
 use crate::solve;
@@ -246,6 +247,14 @@ impl Avoidance {
         self.told.as_ref()?.exact
     }
 
+    /// The speed of the vehicle at the impact by all evidence, if that does not determine it.
+    #[must_use]
+    pub fn undetermined(&self) -> Option<&EstimatedOutput> {
+        let told = self.told.as_ref().filter(|told| told.from == SpeedSource::Estimated)?;
+        let speed = told.estimated.as_ref()?.output(SPEED.of_vehicle(self.vehicle))?;
+        (!speed.is_told()).then_some(speed)
+    }
+
     /// (–) probability that the other vehicle was stationary, where its motion counts and the evidence leaves
     /// that open: the median of its speed is then that of neither case.
     #[must_use]
@@ -352,7 +361,12 @@ fn found(
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
     let of_plan = |plan| of_ranges(case, told.as_deref(), by_recorder.as_ref(), &obstacles, plan);
     let chance = plan.map_or(Ok(None), of_plan)?;
-    let [runs, more_runs] = runs(&scene, &|meeting| delta_v(case, form.vehicle, meeting, other));
+    let solved = |meeting| delta_v(case, form.vehicle, meeting, other);
+    let shares = told.as_ref().map_or([1.0; 2], |told| told.shares_of(solved(Some(scene.what_happened()))));
+    let [runs, more_runs] = runs(&scene, &|meeting| {
+        let [one, two] = solved(meeting)?;
+        Some([one * shares[0], two * shares[1]])
+    });
     let enough = Enough {
         speed: scene.just_avoiding(),
         deceleration: scene.least_deceleration(false),
@@ -532,6 +546,17 @@ impl Told {
     fn doubt(&self) -> Option<NoEstimate> {
         self.estimated.as_ref()?.no_answer()
     }
+
+    /// (–) ΔV of each vehicle by all evidence, against that (m/s) of what happened as it was solved again with
+    /// the central value of everything else.
+    fn shares_of(&self, solved: Option<[f64; 2]>) -> [f64; 2] {
+        VehicleId::ALL.map(|id| {
+            let solved = solved.map(|solved| solved[id.index()]).filter(|solved| *solved > 0.0);
+            let weighed = self.estimated.as_ref().filter(|_| self.from == SpeedSource::Estimated);
+            let weighed = weighed.and_then(|weighed| weighed.output(DELTA_V.of_vehicle(id)));
+            solved.zip(weighed).map_or(1.0, |(solved, weighed)| weighed.posterior.median.value / solved)
+        })
+    }
 }
 
 /// The speed of a vehicle at the impact by its own recorder.
@@ -691,8 +716,7 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(Option<Meeting>) -> Option<[f64; 2]
     let run = |hypothesis, course: AvoidCourse| {
         let is_actual = hypothesis == Hypothesis::Actual;
         let meeting = if is_actual {
-            let other = scene.same_line.as_ref().map(|line| line.speed);
-            Some(Meeting { time: scene.time, speed: scene.at_impact, other })
+            Some(scene.what_happened())
         } else {
             scene.meeting(&course).filter(|meeting| !scene.is_end(meeting))
         };

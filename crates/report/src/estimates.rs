@@ -68,6 +68,9 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
     } else {
         format!("{interval} {unit}")
     };
+    if found.is_told() && found.posterior.median.value == 0.0 && high > 0.0 {
+        return format!("probably stationary (95 %: {range})");
+    }
     // A reader would take the median of such a wide interval, which starts at zero, for a speed that was
     // found.
     let is_far_below = low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value);

@@ -15,7 +15,7 @@ use time_distance::Swell;
 
 use super::uncertainty::grouped;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::estimates::contradictions;
+use crate::estimates::{contradictions, median_and_interval};
 use crate::outputs::input_name;
 use crate::pictures;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
@@ -90,8 +90,12 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             )
         }
     }));
+    let determined = match found.undetermined() {
+        Some(_) => "a speed that the evidence does not determine, taken as ",
+        None => "",
+    };
     lines.push(format!(
-        "Vehicle {} at the reaction demand: {}, {} and {} before the impact",
+        "Vehicle {} at the reaction demand: {determined}{}, {} and {} before the impact",
         found.vehicle,
         units.speed(scene.speed),
         units.format(Measure::Way, scene.distance),
@@ -382,6 +386,18 @@ fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     sooner.into_iter().chain(harder).collect()
 }
 
+/// How much later (s) than with the reaction time of the inputs something was.
+fn against_inputs(late: f64, units: Units) -> String {
+    if late.abs() < SAME_PRINTED {
+        return "as with the reaction time of the inputs".to_owned();
+    }
+    let compared = if late > 0.0 { "later" } else { "earlier" };
+    format!(
+        "{} {compared} than with the reaction time of the inputs",
+        units.format(Measure::Time, late.abs())
+    )
+}
+
 /// (s) how far two reaction times may be apart and still be the same: hardly any is known better.
 const SAME_REACTION: f64 = 0.2;
 /// (–) how far two decelerations may be apart and still be the same: what prints alike.
@@ -401,7 +417,18 @@ fn how(found: &Avoidance, units: Units) -> String {
                 format!("; `deltav reconstruct`, which takes its evidence as exact, finds {exact}")
             });
             let exact = exact.unwrap_or_default();
-            &format!("The speed at the impact is the median of `deltav estimate`, by all evidence{exact}")
+            let doubt = found.undetermined().map(|speed| {
+                let [_, interval] = median_and_interval(&speed.posterior, units);
+                format!(
+                    ". The evidence does not determine it (95 %: {interval} {}): it and the probabilities depend on what is assumed \
+                     about such collisions",
+                    units.name(Measure::RoadSpeed)
+                )
+            });
+            let doubt = doubt.unwrap_or_default();
+            &format!(
+                "The speed at the impact is the median of `deltav estimate`, by all evidence{exact}{doubt}"
+            )
         }
         SpeedSource::Phases => "The speed at the impact follows from the phases before it",
         SpeedSource::Recorder => "The speed at the impact is the median by the table of the recorder",
@@ -733,6 +760,8 @@ fn ways(case: &Case) -> String {
     )
 }
 
+/// (s) two moments that are printed alike.
+const SAME_PRINTED: f64 = 0.005;
 /// (s) two moments are taken to be the same.
 const SAME_MOMENT: f64 = 1e-6;
 
@@ -767,7 +796,13 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     row(label("distance during reaction", Measure::Way), &|run| {
         Some(units.plain(Measure::Way, run.course.position(run.course.response?.reaction())))
     });
-    row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
+    // How it would have gone on is not known of a vehicle that was driven to the place of the impact.
+    let is_driven = matches!(found.scene.actual, ActualRun::Driven(_));
+    row(label("stopping distance", Measure::Way), &|run| {
+        let stop =
+            run.course.stop().filter(|_| run.stops_before() || !is_driven || run.course.response.is_some());
+        Some(units.plain(Measure::Way, stop?))
+    });
     if let Some(other) = found.on_line() {
         let gap = format!("least gap to vehicle {other}");
         row(label(&gap, Measure::Way), &|run| Some(units.plain(Measure::Way, run.gap?)));
@@ -891,13 +926,11 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
             why + &late.unwrap_or_default()
         }
         ActualRun::Skidded(slowed) => {
-            let late = slowed.reaction() - response.reaction();
-            let compared = if late >= 0.0 { "later" } else { "earlier" };
             format!(
-                "The skid says when the brakes took hold: {} after the demand, {} {compared} than with the reaction time of the \
-                 inputs. The deceleration of the skid, {}, is that of its friction.",
+                "The skid says when the brakes took hold: {} after the demand, {}. The deceleration of the skid, {}, is that of its \
+                 friction.",
                 time(slowed.reaction()),
-                time(late),
+                against_inputs(slowed.reaction() - response.reaction(), units),
                 units.format(Measure::Acceleration, slowed.deceleration()),
             )
         }
@@ -915,10 +948,9 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
             };
             let braked = match scene.delay() {
                 Some(late) => format!(
-                    " From {} after the demand on, {} {} than with the reaction time of the inputs, it slows by more than {}.",
+                    " From {} after the demand on, {}, it slows by more than {}.",
                     time(late + response.reaction()),
-                    time(late),
-                    if late >= 0.0 { "later" } else { "earlier" },
+                    against_inputs(late, units),
                     units.format(Measure::Acceleration, BRAKES)
                 ),
                 None => format!(
@@ -1171,8 +1203,9 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     if found.runs.iter().any(|run| run.delta_v.is_some()) {
         list.push(
-            "ΔV is that of the impact solved again with the lower speed, and all else of it as it was; the other party comes to the place at \
-             another time, which is left aside."
+            "ΔV is that of the impact solved again with the lower speed, and all else of it as it was; where `deltav estimate` gives the \
+             speed, all ΔV are in proportion to its ΔV of what happened. The other party comes to the place at another time, which is \
+             left aside."
                 .to_owned(),
         );
     }

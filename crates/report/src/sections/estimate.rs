@@ -418,7 +418,7 @@ impl<'a> Page<'a> {
         if is_judged {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
-                 others. – : that run has not converged. ",
+                 others. – : that run has not converged, or the piece is a bound, which has no p-value. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("– : only a run without the piece can show this. ");
