@@ -123,7 +123,8 @@ fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Opti
 pub(crate) fn crush(case: &Case) -> Result<Analysis, Failure> {
     let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    let analysis = Analysis { basis: input.basis, ..Analysis::unsolved(vehicles) };
+    let warnings = warning::of_categories(case, &vehicles).into_iter().collect();
+    let analysis = Analysis { basis: input.basis, warnings, ..Analysis::unsolved(vehicles) };
     Ok(judged(case, analysis, input.restitution)?.beside_the_rest(case))
 }
 

@@ -12,8 +12,8 @@ const SPREAD: f64 = 0.1;
 pub(crate) struct Usual {
     /// (kg) at the collision, with load and occupants.
     mass: [f64; 2],
-    /// (kg/m²) the largest ratio of the mass to length times width.
-    areal_mass: f64,
+    /// (kg/m²) the ratio of the mass to length times width.
+    areal_mass: [f64; 2],
     /// (m) k.
     pub(crate) yaw_radius: [f64; 2],
     /// (m/s) before the impact.
@@ -35,8 +35,9 @@ const CAR: Usual = Usual {
     // From a light quadricycle (at most 425 kg empty, EU 168/2013) to an overloaded light truck (10,000 lb or
     // 4536 kg in the US).
     mass: [300.0, 5000.0],
-    // Cars have 150 to 250, a full van of 3.5 t on 5.9 m by 2 m has 300.
-    areal_mass: 600.0,
+    // Cars have 150 to 250, a light one of the 1950s with its driver 110, a full van of 3.5 t on 5.9 m by 2 m 300.
+    // Exchanged pounds and kilograms change it by 2.2.
+    areal_mass: [100.0, 350.0],
     // CRASH3's classes have 1.1 to 1.7; a long van has 0.29 of 7.4 m.
     yaw_radius: [0.8, 2.2],
     // 250 km/h, 155 mph: most cars cannot drive faster.
@@ -58,7 +59,7 @@ const HEAVY_TRUCK: Usual = Usual {
     // From an empty light lorry to the longest combinations of Northern Europe (76 t) and somewhat more.
     mass: [2000.0, 80_000.0],
     // A loaded mixer of four axles has 1400: 32 t on 9.3 m by 2.5 m.
-    areal_mass: 2000.0,
+    areal_mass: [0.0, 2000.0],
     // 0.29 of 5 m to 30 m.
     yaw_radius: [1.3, 9.0],
     // 150 km/h, 93 mph: beyond the governed 85 to 120 km/h of lorries and coaches.
@@ -76,7 +77,7 @@ const HEAVY_TRUCK: Usual = Usual {
 const TRAILER: Usual = Usual {
     // From an empty luggage trailer to a low loader.
     mass: [80.0, 80_000.0],
-    areal_mass: 2000.0,
+    areal_mass: [0.0, 2000.0],
     // 0.29 of 1.5 m to 20 m.
     yaw_radius: [0.4, 6.0],
     speed: [0.0, 150.0 / 3.6],
@@ -91,7 +92,7 @@ const TRAILER: Usual = Usual {
 const MOTORCYCLE: Usual = Usual {
     // From a moped without its rider to a touring motorcycle (about 400 kg) with sidecar and riders.
     mass: [50.0, 800.0],
-    areal_mass: 600.0,
+    areal_mass: [0.0, 600.0],
     // Their wheelbase is 1.1 to 1.8 m, and half of that is k if all mass sits at the axles.
     yaw_radius: [0.25, 0.9],
     // 300 km/h, 186 mph.
@@ -118,8 +119,11 @@ impl Usual {
     /// (kg) usual mass.
     pub(crate) fn mass(&self, dimensions: Option<&Dimensions>) -> [f64; 2] {
         let [least, most] = self.mass;
-        let of_size = dimensions.map(|dimensions| self.areal_mass * dimensions.length * dimensions.width);
-        [least, of_size.map_or(most, |of_size| most.min(of_size))]
+        let area = dimensions.map(|dimensions| dimensions.length * dimensions.width);
+        area.map_or([least, most], |area| {
+            let [low, high] = self.areal_mass.map(|share| share * area);
+            [least.max(low), most.min(high)]
+        })
     }
 
     /// (m) usual depth of crush.

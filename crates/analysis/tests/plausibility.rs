@@ -465,9 +465,11 @@ fn numbers_that_no_vehicle_has() {
             (&plain, 301.0, None),
             (&plain, 4999.0, None),
             (&plain, 5001.0, Some([300.0, 5000.0])),
-            // 600 kg/m² on 4.5 m by 1.8 m
-            (&with_outline, 4859.0, None),
-            (&with_outline, 4861.0, Some([300.0, 4860.0])),
+            // 100 and 350 kg/m² on 4.5 m by 1.8 m
+            (&with_outline, 2834.0, None),
+            (&with_outline, 2836.0, Some([810.0, 2835.0])),
+            (&with_outline, 811.0, None),
+            (&with_outline, 809.0, Some([810.0, 2835.0])),
         ] {
             let text = text.replace("1500 kg", &format!("{mass} kg"));
             check(&text, usual.map(|usual| (Mass, mass, usual)));

@@ -339,7 +339,7 @@ impl CrashPulse {
             PulseRule::Change { .. } => first + active[first..].iter().take_while(|step| **step).count(),
             _ => active.iter().rposition(|step| *step)? + 1,
         };
-        let ends_within = last < self.samples.len() - 1 && self.padded_from.is_none();
+        let ends_within = last < self.samples.len() - 1;
         let end = match rule {
             PulseRule::GreatestDeltaV => (first..=last).fold(first, |best, k| {
                 if self.change(first, k) > self.change(first, best) { k } else { best }
@@ -361,10 +361,23 @@ impl CrashPulse {
     }
 
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
-    /// 563.5, or the recorder padded the rest with zeros. Its ΔV is then a lower bound.
+    /// 563.5, and by more than one step in which it is stored. Its ΔV is then a lower bound. What the recorder
+    /// padded with zeros is not a part of the record, so that a record may be padded and complete.
     #[must_use]
     pub fn is_cut(&self) -> bool {
-        self.padded_from.is_some() || self.active(PulseRule::CHANGE).last() == Some(&true)
+        let active = self.active(PulseRule::CHANGE);
+        let from = active.iter().rposition(|step| !step).map_or(0, |still| still + 1);
+        let changes = |of: fn(&PulseSample) -> Option<f64>| {
+            let values: Vec<f64> = self.samples.iter().filter_map(of).collect();
+            let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+            let least = steps.filter(|step| *step > SAME_STORED).fold(f64::INFINITY, f64::min);
+            let part = self.samples[from..].iter().filter_map(of);
+            let [low, high] = part.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            });
+            high - low > FLICKER * least
+        };
+        from < active.len() && (changes(|one| one.longitudinal) || changes(|one| one.lateral))
     }
 }
 
@@ -385,6 +398,12 @@ fn padding(samples: &[PulseSample]) -> Option<usize> {
     let zeros = samples[last + 1..].iter().filter(|one| is_zero(one)).count();
     (falls && zeros >= 2).then_some(last + 1)
 }
+
+/// (m/s) values that differ by less were stored alike: no recorder stores hundredths of 1 km/h.
+const SAME_STORED: f64 = 0.005 / 3.6;
+/// (–) how many of the steps in which ΔV is stored its last digit flickers by, with what conversion to
+/// another unit rounds.
+const FLICKER: f64 = 1.5;
 
 /// (s) the time within which a pulse is tested for a change: that of 49 CFR 563.5.
 const WINDOW: f64 = 0.02;

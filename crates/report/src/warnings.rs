@@ -251,9 +251,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::CategoryEnergy { of, share } => format!(
             "the stiffness of {} is that of a category: crush energies from such a stiffness were on \
-             average {} % of what recorders show, and this answer does not correct them, so its closing \
-             speed and ΔV are probably too low; `deltav estimate` \
-             corrects them",
+             average {} % of what recorders show, and this answer does not correct them, so its speeds \
+             and ΔV are probably too low; `deltav estimate` corrects them",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",

@@ -581,11 +581,11 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
     if let Some(time) = pulse.padded_from() {
         page.paragraph(format!(
-            "From {} on, the record is 0 throughout: the recorder padded it. These zeros are left out, and \
-             ΔV is a lower bound.",
+            "From {} on, the record is 0 throughout: the recorder padded it. These zeros are left out.",
             milliseconds(time)
         ));
-    } else if found.is_cut {
+    }
+    if found.is_cut {
         page.paragraph(
             "ΔV still changes where the record ends: the impact may go on, and ΔV is a lower bound. Only a greatest ΔV from \
              which the record falls back by more than 2 km/h is complete.",

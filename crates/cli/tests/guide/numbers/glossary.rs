@@ -484,12 +484,13 @@ fn magnitudes(ledger: &mut Ledger) {
         text.replace(old, new)
     };
     let mass = usual(&with(&plain, "1500 kg", "90 t"));
-    let of_size = usual(&with(&outline, "1500 kg", "90 t"))[1] / (length * width);
+    let of_size = usual(&with(&outline, "1500 kg", "90 t")).map(|mass| mass / (length * width));
     ledger.made(format!(
-        "{} kg … {} t … outline … {} t/m²",
+        "{} kg … {} t … outline … {} … {} t/m²",
         number(mass[0], 0),
         number(mass[1] / 1000.0, 0),
-        number(of_size / 1000.0, 1)
+        number(of_size[0] / 1000.0, 1),
+        number(of_size[1] / 1000.0, 2)
     ));
     ledger.cited("0.15 … 0.25)", "mass by length and width of small to large cars");
     let radius = usual(&with(&plain, "1.4 m", "5 m"));
