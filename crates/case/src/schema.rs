@@ -965,7 +965,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "step",
             "step = \"1 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
-            "Step in which speeds are stored. If left out, one unit of a column of whole numbers (1 mph), otherwise 1 km/h, as in 49 CFR 563 and UN R160.",
+            "Step in which speeds are stored. If left out, one unit of a column of whole numbers (1 mph), 1 mph where speeds in km/h are such numbers converted (35.4, 33.8), otherwise 1 km/h, as in 49 CFR 563 and UN R160.",
         ),
         key(
             "steady_low",

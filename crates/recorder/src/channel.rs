@@ -62,7 +62,7 @@ pub struct ChannelUnit {
 
 const KMH: f64 = 1.0 / 3.6;
 /// (m/s) 1 mile per hour, by definition.
-const MPH: f64 = 0.44704;
+pub(crate) const MPH: f64 = 0.44704;
 /// (m/s²) g, by definition.
 pub(crate) const GRAVITY: f64 = 9.80665;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;

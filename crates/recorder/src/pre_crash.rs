@@ -1,6 +1,6 @@
 //! The data that a recorder stored before the impact, and the distance travelled between its samples.
 
-use crate::channel::{Channel, GRAVITY};
+use crate::channel::{Channel, GRAVITY, MPH};
 use crate::table::{RecorderTable, TableColumn};
 
 /// The data that a recorder stored for one time.
@@ -44,6 +44,21 @@ fn step_of(column: &TableColumn) -> Option<f64> {
     };
     let mut speeds = column.values.iter().flatten().peekable();
     (speeds.peek().is_some() && speeds.all(is_whole)).then_some(column.unit.factor)
+}
+
+/// (m/s) the step in which these speeds are stored: 1 mph, if tables in km/h with one decimal have whole
+/// numbers of it, as those of NHTSA do, and otherwise 1 km/h. By chance, two speeds are whole miles per hour
+/// to 0.05 km/h in one of 250 pairs.
+fn stored_step(samples: &[PreCrashSample]) -> f64 {
+    const HALF_DECIMAL: f64 = 0.05 / 3.6 * (1.0 + 1e-6);
+    let within = |speed: &f64, step: f64, error: f64| (speed - (speed / step).round() * step).abs() <= error;
+    let mut speeds: Vec<f64> =
+        samples.iter().filter_map(|one| one.speed).filter(|speed| *speed > 0.0).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    let are_regular = speeds.iter().all(|speed| within(speed, REGULAR_STEP, 1e-6));
+    let are_miles = speeds.iter().all(|speed| within(speed, MPH, HALF_DECIMAL));
+    if speeds.len() >= 2 && are_miles && !are_regular { MPH } else { REGULAR_STEP }
 }
 
 /// Why samples are not a record before an impact.
@@ -253,11 +268,12 @@ impl PreCrash {
             }
             before = one.time;
         }
-        Ok(Self { samples, step: REGULAR_STEP })
+        let step = stored_step(&samples);
+        Ok(Self { samples, step })
     }
 
     /// The record in a table that was read from a text. Its [`step`](Self::step) is one of the unit of the
-    /// speeds if all of them are whole numbers of it.
+    /// speeds if all of them are whole numbers of it, and otherwise as of [`PreCrash::new`].
     ///
     /// # Errors
     ///
@@ -278,11 +294,11 @@ impl PreCrash {
             yaw_rate: number(Channel::YawRate, k),
         };
         let record = Self::new(times.into_iter().enumerate().map(sample).collect())?;
-        let step = table.column(Channel::Speed).and_then(step_of).unwrap_or(REGULAR_STEP);
+        let step = table.column(Channel::Speed).and_then(step_of).unwrap_or(record.step);
         Ok(Self { step, ..record })
     }
 
-    /// (m/s) the step in which its speeds are stored: 1 km/h, unless its table shows another.
+    /// (m/s) the step in which its speeds are stored: 1 km/h, unless they show another.
     #[must_use]
     pub fn step(&self) -> f64 {
         self.step

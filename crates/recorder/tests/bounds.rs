@@ -156,6 +156,11 @@ fn speeds_in_whole_miles_are_rounded_to_a_mile() {
     // With a fraction of a mile, and in km/h, it is 1 km/h; without rounding the bounds are nearer.
     assert!((record("mph", ["60", "58.4", "55"]).step() - 1.0 / 3.6).abs() < 1e-12);
     assert!((record("km/h", ["60", "58", "55"]).step() - 1.0 / 3.6).abs() < 1e-12);
+    // 60, 58 and 55 mph are 96.56, 93.34 and 88.51 km/h.
+    assert!((record("km/h", ["96.6", "93.3", "88.5"]).step() - 0.44704).abs() < 1e-12);
+    for speeds in [["96.6", "93.3", "88.6"], ["96.6", "96.6", "0"]] {
+        assert!((record("km/h", speeds).step() - 1.0 / 3.6).abs() < 1e-12, "{speeds:?}");
+    }
     let (_, exact) = miles.distances_to_last(&SpeedLimits::stored_in(0.0))[0];
     // ±0.22352 m/s over 2 s, as the turns stay where they are.
     assert!((bounds.at_most - exact.at_most - 0.44704).abs() < 1e-9, "{exact:?}");

@@ -113,13 +113,11 @@ fn zeros_that_fill_up_a_record_are_no_samples() {
         let span = padded.span(rule).unwrap();
         assert!(!span.complete && (span.resultant() - 28.0 * KMH).abs() < 1e-9, "{span:?}");
     }
-    // One that had ended before it was filled up is not finished either.
-    assert!(
-        !pulse(&[0.0, -9.0, -18.0, -20.0, -20.0, -20.0, 0.0, 0.0], &[])
-            .span(PulseRule::CHANGE)
-            .unwrap()
-            .complete
-    );
+    // An impact that had ended by the rule before the record was filled up is as complete as without the zeros.
+    let ended = [0.0, -9.0, -18.0, -20.0, -20.0, -20.0];
+    for pulse in [pulse(&ended, &[]), pulse(&[&ended[..], &[0.0; 2]].concat(), &[])] {
+        assert!(pulse.span(PulseRule::CHANGE).unwrap().complete && !pulse.is_cut(), "{pulse:?}");
+    }
     // A ΔV that really returns to 0, and one whose last digit does.
     for whole in
         [&[0.0, -8.0, -12.0, -9.0, -5.0, -2.0, 0.0, 0.0, 0.0][..], &[0.0, -1.0, -2.0, -2.0, 0.0, 0.0]]
@@ -127,6 +125,25 @@ fn zeros_that_fill_up_a_record_are_no_samples() {
         let whole = pulse(whole, &[]);
         assert_eq!(whole.padded_from(), None);
         assert!(whole.samples().last().unwrap().longitudinal == Some(0.0));
+    }
+}
+
+/// CIREN 12286: after 100 ms at 59.57 km/h, both axes change by one step of 1.61 km/h (1 mph) in the last
+/// sample. That is 2.28 km/h in 10 ms, and yet no impact. Two steps, or one in each of two windows, are.
+#[test]
+fn one_step_of_the_last_digit_does_not_cut_a_record() {
+    let stored = [0.0, -22.54, -35.42, -46.69, -51.52, -56.35, -59.57, -59.57, -59.57, -59.57];
+    let across = [0.0, 3.22, 8.05, 6.44, 3.22, 4.83, 6.44, 6.44, 6.44, 6.44];
+    for (more, cut) in [
+        (&[-61.18][..], false),
+        (&[-61.18, -59.57], false),
+        (&[-62.79], true),
+        (&[-61.18, -62.79], true),
+        (&[-57.96, -56.35, -54.74], true),
+    ] {
+        let along = [&stored[..], more].concat();
+        let across = [&across[..], &vec![4.83; more.len()]].concat();
+        assert_eq!(pulse(&along, &across).is_cut(), cut, "{more:?}");
     }
 }
 
