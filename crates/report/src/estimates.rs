@@ -349,9 +349,13 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::OtherPdof => [
             "other_pdof",
-            "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same; of two that \
-             are too far from opposite to be of one force, the one that is nearer to each collision",
+            "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same",
             "nothing: they are counted once",
+        ],
+        UnusedReason::PdofsDiffer => [
+            "pdofs_differ",
+            "both PDOFs cannot be of one force, as the warning says: of each collision, the one that is nearer to it counts",
+            "the right PDOF or heading: one of them is wrong",
         ],
         UnusedReason::Wreck => [
             "wreck",

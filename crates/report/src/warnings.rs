@@ -24,8 +24,9 @@ const MORE: &str = "`deltav explain CODE` says what a warning means for the answ
 
 /// The warnings as a part of a document.
 pub(crate) fn block(warnings: &[SeenWarning], units: Units) -> Block {
-    let sentence = |seen: &SeenWarning| (seen.warning().code(), message(seen, units));
-    Block::Warnings { warnings: warnings.iter().map(sentence).collect(), more: MORE }
+    let sentence = |seen: &&SeenWarning| (seen.warning().code(), message(seen, units));
+    let (common, special): (Vec<_>, Vec<_>) = warnings.iter().partition(|seen| seen.warning().is_common());
+    Block::Warnings { warnings: special.iter().chain(&common).map(sentence).collect(), more: MORE }
 }
 
 /// The warnings of an analysis alone; empty if it has none.
@@ -73,17 +74,20 @@ pub(crate) fn left_aside(keys: &[String], can_be_weighed: bool) -> Option<Block>
     (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
 
-/// The number of warnings for the top of a report, with the heading that lists them; `None` if all are of a
-/// kind that most cases have.
+/// The number of warnings for the top of a report, with the codes of those that not most cases have and the
+/// heading that lists them; `None` if most cases have all of them.
 pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
-    if warnings.iter().all(|seen| seen.warning().is_common()) {
-        return None;
+    let mut codes: Vec<&str> = Vec::new();
+    for warning in warnings.iter().map(SeenWarning::warning).filter(|warning| !warning.is_common()) {
+        if !codes.contains(&warning.code()) {
+            codes.push(warning.code());
+        }
     }
     let count = match warnings.len() {
         1 => "1 warning".to_owned(),
         several => format!("{several} warnings"),
     };
-    Some(Block::Notice { count, heading })
+    (!codes.is_empty()).then(|| Block::Notice { count: format!("{count} ({})", codes.join(", ")), heading })
 }
 
 /// The spread of a placed contact point in the samples of `uncertainty`: along the face and across it.

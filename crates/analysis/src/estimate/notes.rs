@@ -23,6 +23,8 @@ pub enum UnusedReason {
     NoCrush,
     /// A PDOF that follows from that of the other vehicle: both are one observation.
     OtherPdof,
+    /// One of two PDOFs that cannot be of one force.
+    PdofsDiffer,
     /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
     NotFollowed,
     /// A rest or points of vehicles that left as one wreck: each is followed alone.

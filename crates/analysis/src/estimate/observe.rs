@@ -92,11 +92,13 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let Scene { case, prior, ranges, nominal, crushed, reference, .. } = *scene;
     let mut notes = Notes::default();
     let vehicles = VehicleId::ALL.map(|id| vehicle(scene, id, &mut notes));
+    let pdofs_differ = pdofs_differ(case, &vehicles);
     if let [Some(one), Some(two)] = vehicles.each_ref().map(|vehicle| vehicle.pdof) {
         let id = if one.scale <= two.scale { VehicleId::Two } else { VehicleId::One };
         let key = format!("{}.crush.pdof", table(id));
         notes.default_errors.retain(|defaulted| *defaulted != key);
-        notes.unused.push(Unused { key, reason: UnusedReason::OtherPdof });
+        let reason = if pdofs_differ { UnusedReason::PdofsDiffer } else { UnusedReason::OtherPdof };
+        notes.unused.push(Unused { key, reason });
     }
     let given = case.estimate.unwrap_or_default();
     let hit: Vec<DamagedSide> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
@@ -111,7 +113,6 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
         .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
-    let pdofs_differ = pdofs_differ(case, &vehicles);
     (Observed { vehicles, pdofs_differ, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
 }
 

@@ -2,7 +2,7 @@
 
 use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
-use analysis::quantities::{DELTA_V, SPEED};
+use analysis::quantities::{DELTA_V, SKID_SPEED, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
     SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
@@ -202,7 +202,10 @@ impl<'a> Page<'a> {
     fn answer(&mut self) {
         let line = |output: Output| Some(self.told(self.find(output)?));
         let all = VehicleId::ALL.into_iter();
-        let speeds = all.clone().filter_map(|vehicle| line(SPEED.of_vehicle(vehicle)));
+        let speeds = all
+            .clone()
+            .flat_map(|vehicle| [SPEED.of_vehicle(vehicle), SKID_SPEED.of_vehicle(vehicle)])
+            .filter_map(line);
         let changes = all.filter_map(|vehicle| line(DELTA_V.of_vehicle(vehicle)));
         let found: Vec<String> = speeds.chain(changes).collect();
         let evidence: Vec<String> =

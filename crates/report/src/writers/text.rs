@@ -88,7 +88,9 @@ impl Page {
                 self.marked(BOLD, &found.join("\n"));
                 self.wrapped(how);
             }
-            Block::Notice { count, .. } => self.marked(YELLOW, &format!("{count}, at the end.")),
+            Block::Notice { count, .. } => {
+                self.marked(YELLOW, &wrapped(&format!("{count}, at the end."), self.line))
+            }
             Block::Warnings { warnings, more } => {
                 for (code, message) in warnings {
                     let lines = wrapped(&format!("warning [{code}]: {message}"), self.line);
