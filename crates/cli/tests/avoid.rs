@@ -279,6 +279,11 @@ fn evidence_makes_a_probability() {
     near(found, "/probability/above_limit", above, 1e-12);
     assert!(number(found, "/probability/mc_error") > 0.0);
     assert!(found["at_limit"]["delta_v"].is_array());
+    // ΔV of what happened is that of the estimate, and the others are in proportion.
+    for vehicle in [0, 1] {
+        let estimated = number(&estimated, &format!("/outputs/vehicle{}.delta_v/median", vehicle + 1));
+        near(found, &format!("/runs/0/delta_v/{vehicle}"), estimated, 1e-9);
+    }
 }
 
 #[test]
