@@ -13,14 +13,13 @@ use pim_core::VehicleId;
 use reconcile::COLLINEAR;
 use time_distance::Swell;
 
-use super::uncertainty::grouped;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::contradictions;
 use crate::outputs::input_name;
 use crate::pictures;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
-use crate::units::{Measure, Units, number};
+use crate::units::{Measure, Units, grouped, number};
 use crate::warnings::message;
 use crate::words::{quoted, run_words};
 
@@ -223,7 +222,6 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Time, lead)
         )
     });
-    let beaten = beaten_by_marks(found, units);
     let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
         format!(
             "The case says how the vehicle moved only from {} after the reaction demand on. For the time before, the answer assumes the \
@@ -242,10 +240,9 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
             found.vehicle.other()
         )
     });
-    let of_speed = of_speed(found, units);
-    let ours = hard.into_iter().chain(early).chain(begins).chain(along).chain(of_other).chain(of_recorder);
-    let ours = ours.chain(of_stood).chain(beaten);
-    ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
+    let ours = [hard, early, begins, along, of_other, of_recorder, of_stood];
+    let ours = ours.into_iter().flatten().chain(beaten_by_marks(found, units));
+    ours.chain(of_speed(found, units)).chain(contradictions(found.pieces())).collect()
 }
 
 /// What a place of the impact that moves does to an answer for a fixed one.
@@ -415,9 +412,9 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     let mut table = Table::new(
         "Inputs",
         [
-            Column::words("", Width::Fixed(if names_phases { 34 } else { 25 })),
-            Column::words("value", Width::Fixed(14)),
-            Column::words("range", Width::Fixed(24)),
+            Column::words("", if names_phases { 34 } else { 25 }),
+            Column::words("value", 14),
+            Column::words("range", 24),
             Column::words("source", Width::Share),
         ],
     );
@@ -606,11 +603,7 @@ fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
 fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     let mut table = Table::new(
         "Sight",
-        [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers("", Width::Fixed(14)),
-            Column::numbers("95 % interval", Width::Fixed(20)),
-        ],
+        [Column::words("", 44), Column::numbers("", 14), Column::numbers("95 % interval", 20)],
     );
     let intervals = found.chance.as_ref().and_then(|chance| chance.sight.as_ref());
     let mut row = |label: String, measure, value: f64, interval: Option<&AvoidInterval>| {
@@ -818,10 +811,10 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
     let mut table = Table::new(
         "Each alone and together",
         [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers(format!("speed at the {}", place(found)), Width::Fixed(20))
+            Column::words("", 44),
+            Column::numbers(format!("speed at the {}", place(found)), 20)
                 .unit(units.name(Measure::RoadSpeed)),
-            Column::words("avoided", Width::Fixed(18)),
+            Column::words("avoided", 18),
         ],
     );
     for (hypothesis, label) in [
@@ -967,10 +960,10 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let mut table = Table::new(
         "Speeds that just avoid it",
         [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers("speed", Width::Fixed(14)).unit(units.name(Measure::RoadSpeed)),
-            Column::numbers("95 % interval", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
-            Column::words(if above { "at the limit" } else { "as driven" }, Width::Fixed(18)),
+            Column::words("", 44),
+            Column::numbers("speed", 14).unit(units.name(Measure::RoadSpeed)),
+            Column::numbers("95 % interval", 20).unit(units.name(Measure::RoadSpeed)),
+            Column::words(if above { "at the limit" } else { "as driven" }, 18),
         ],
     );
     let chance = found.chance.as_ref();
@@ -1078,11 +1071,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
 fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let mut table = Table::new(
         "Probability",
-        [
-            Column::words("", Width::Fixed(60)),
-            Column::numbers("", Width::Fixed(12)),
-            Column::words("", Width::Share),
-        ],
+        [Column::words("", 60), Column::numbers("", 12), Column::words("", Width::Share)],
     );
     let mut row = |label: &str, value: f64, error: String| {
         table.row([label.to_owned(), in_decimals(value), error]);
@@ -1118,10 +1107,8 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
 }
 
 fn influences(chance: &AvoidChance) -> Table {
-    let mut table = Table::new(
-        "What moves it most",
-        [Column::words("", Width::Fixed(56)), Column::numbers("difference", Width::Fixed(12))],
-    );
+    let mut table =
+        Table::new("What moves it most", [Column::words("", 56), Column::numbers("difference", 12)]);
     for influence in &chance.influences {
         let name =
             influence.input.as_ref().map_or_else(|| "the speed, by the evidence".to_owned(), input_name);

@@ -5,7 +5,7 @@ use analysis::{Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
 
 use crate::checks;
-use crate::document::{Block, Column, Document, NONE, Row, Table, Width};
+use crate::document::{Block, Column, Document, NONE, Row, Table};
 use crate::estimates::Asked;
 use crate::units::{Measure, Units};
 use crate::words;
@@ -113,9 +113,7 @@ fn refuted(analysis: &Seen, units: Units) -> Vec<String> {
 
 fn columns() -> Vec<Column> {
     let speeds = ["speed 1", "speed 2", "ΔV 1", "ΔV 2"];
-    std::iter::once(Column::words("", Width::Fixed(NAME)))
-        .chain(speeds.map(|name| Column::numbers(name, Width::Fixed(SPEED))))
-        .collect()
+    std::iter::once(Column::words("", NAME)).chain(speeds.map(|name| Column::numbers(name, SPEED))).collect()
 }
 
 /// The exact solution of an analysis, if nothing else was solved.

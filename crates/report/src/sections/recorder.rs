@@ -152,10 +152,10 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let mut table = Table::new(
         WHICH,
         [
-            Column::words("record", Width::Fixed(7)),
-            Column::numbers("after the last", Width::Fixed(15)).unit("s"),
-            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
-            Column::numbers("PDOF", Width::Fixed(6)).unit("°"),
+            Column::words("record", 7),
+            Column::numbers("after the last", 15).unit("s"),
+            Column::numbers("ΔV", 9).unit(unit),
+            Column::numbers("PDOF", 6).unit("°"),
             Column::words("", Width::Share),
         ],
     );
@@ -356,10 +356,7 @@ fn steep(page: &mut Document, found: &VehicleReading) {
 fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     let (speed, length) = (units.name(Measure::RoadSpeed), units.name(Measure::Length));
     let samples = record.samples();
-    let mut columns = vec![
-        Column::numbers("time", Width::Fixed(7)).unit("s"),
-        Column::numbers("speed", Width::Fixed(8)).unit(speed),
-    ];
+    let mut columns = vec![Column::numbers("time", 7).unit("s"), Column::numbers("speed", 8).unit(speed)];
     // Columns that the record does not have are omitted.
     let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
     let shown = [
@@ -369,14 +366,14 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
         has(|one| one.steering.is_some()),
     ];
     let optional = [
-        Column::words("brake", Width::Fixed(7)),
-        Column::words("ABS", Width::Fixed(5)),
-        Column::numbers("pedal", Width::Fixed(7)).unit("%"),
-        Column::numbers("steering", Width::Fixed(10)).unit("°"),
+        Column::words("brake", 7),
+        Column::words("ABS", 5),
+        Column::numbers("pedal", 7).unit("%"),
+        Column::numbers("steering", 10).unit("°"),
     ];
     columns.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(column, _)| column));
     for name in ["at least", "right", "between", "left", "at most"] {
-        columns.push(Column::numbers(name, Width::Fixed(10)).unit(length));
+        columns.push(Column::numbers(name, 10).unit(length));
     }
     let mut table = Table::new("Samples", columns);
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
@@ -415,9 +412,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         "Speed at impact",
         [
             Column::words("", Width::Fit(44)),
-            Column::numbers("changes it by", Width::Fixed(15)).unit(unit),
-            Column::numbers("sd", Width::Fixed(9)).unit(unit),
-            Column::numbers("of the variance", Width::Fixed(17)).unit("%"),
+            Column::numbers("changes it by", 15).unit(unit),
+            Column::numbers("sd", 9).unit(unit),
+            Column::numbers("of the variance", 17).unit("%"),
         ],
     );
     let whole: f64 = speed.parts.iter().map(|part| part.variance).sum();
@@ -509,17 +506,17 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
         return;
     }
     let unit = units.name(Measure::RoadSpeed);
-    let delta_v = |name: &str| Column::numbers(name, Width::Fixed(14)).unit(unit);
+    let delta_v = |name: &str| Column::numbers(name, 14).unit(unit);
     let mut table = Table::new(
         "Pulse",
         [
             Column::words("by", Width::Fit(28)),
-            Column::numbers("from", Width::Fixed(7)).unit("ms"),
-            Column::numbers("to", Width::Fixed(7)).unit("ms"),
+            Column::numbers("from", 7).unit("ms"),
+            Column::numbers("to", 7).unit("ms"),
             delta_v("longitudinal"),
             delta_v("lateral"),
-            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
-            Column::numbers("PDOF", Width::Fixed(7)).unit("°"),
+            Column::numbers("ΔV", 9).unit(unit),
+            Column::numbers("PDOF", 7).unit("°"),
             Column::words("", Width::Fit(12)),
         ],
     );

@@ -30,26 +30,22 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
             format!("{} ({} %)", number(miss, 2), number(100.0 * miss / line.distance.paper, 0))
         })
     };
-    let rows = validation
-        .motions
-        .iter()
-        .map(|line| {
-            let claims = [notes.claim(&[&line.distance], 1.0, 2), notes.claim(&[&line.turn], DEGREE, 0)];
-            let [distance, turn] = &claims;
-            let claim = if distance == turn { distance.clone() } else { claims.join("; ") };
-            vec![
-                vehicle(line.test, line.vehicle),
-                number(line.drag, 4),
-                number(line.distance.ours, 2),
-                format!("{} ± {}", number(line.distance.paper, 2), number(line.within, 2)),
-                number(line.time, 1),
-                degrees(line.turn.ours, 0),
-                degrees(line.turn.paper, 0),
-                miss(line),
-                claim,
-            ]
-        })
-        .collect();
+    let rows = validation.motions.iter().map(|line| {
+        let claims = [notes.claim(&[&line.distance], 1.0, 2), notes.claim(&[&line.turn], DEGREE, 0)];
+        let [distance, turn] = &claims;
+        let claim = if distance == turn { distance.clone() } else { claims.join("; ") };
+        vec![
+            vehicle(line.test, line.vehicle),
+            number(line.drag, 4),
+            number(line.distance.ours, 2),
+            format!("{} ± {}", number(line.distance.paper, 2), number(line.within, 2)),
+            number(line.time, 1),
+            degrees(line.turn.ours, 0),
+            degrees(line.turn.paper, 0),
+            miss(line),
+            claim,
+        ]
+    });
     let simulations: Vec<String> = validation
         .simulations
         .iter()
@@ -99,36 +95,32 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
 }
 
 pub(super) fn returns(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
-    let rows = validation
-        .returns
-        .iter()
-        .map(|line| {
-            let mut row = vec![
-                vehicle(line.test, line.vehicle),
-                number(line.round_trip.paper, 2),
-                number(line.round_trip.ours, 2),
-            ];
-            let mut claim = notes.claim(&[&line.round_trip], 1.0, 3);
-            if let Some(found) = &line.from_rest {
-                let [less, more] = found.turned;
-                row.extend([
-                    number(found.speed.ours, 2),
-                    number(less, 2),
-                    number(more, 2),
-                    degrees(found.direction.ours, 0),
-                    degrees(found.direction.paper, 0),
-                    number(found.yaw_rate.ours, 2),
-                    number(found.yaw_rate.paper, 2),
-                ]);
-                let known = notes.claim(&[&found.speed, &found.direction, &found.yaw_rate], 1.0, 2);
-                claim = [claim, known].join("; ");
-            } else {
-                row.resize(10, String::new());
-            }
-            row.push(claim);
-            row
-        })
-        .collect();
+    let rows = validation.returns.iter().map(|line| {
+        let mut row = vec![
+            vehicle(line.test, line.vehicle),
+            number(line.round_trip.paper, 2),
+            number(line.round_trip.ours, 2),
+        ];
+        let mut claim = notes.claim(&[&line.round_trip], 1.0, 3);
+        if let Some(found) = &line.from_rest {
+            let [less, more] = found.turned;
+            row.extend([
+                number(found.speed.ours, 2),
+                number(less, 2),
+                number(more, 2),
+                degrees(found.direction.ours, 0),
+                degrees(found.direction.paper, 0),
+                number(found.yaw_rate.ours, 2),
+                number(found.yaw_rate.paper, 2),
+            ]);
+            let known = notes.claim(&[&found.speed, &found.direction, &found.yaw_rate], 1.0, 2);
+            claim = [claim, known].join("; ");
+        } else {
+            row.resize(10, String::new());
+        }
+        row.push(claim);
+        row
+    });
     vec![
         heading("From rest back to the velocity after the impact"),
         paragraph(
@@ -151,20 +143,16 @@ pub(super) fn returns(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
 }
 
 pub(super) fn both_speeds(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
-    let rows = validation
-        .both_speeds
-        .iter()
-        .map(|line| {
-            let mut row = vec![line.test.to_string(), evidence(line.evidence).to_owned()];
-            for (found, true_speed) in line.found.into_iter().zip(line.true_speeds) {
-                row.extend([number(true_speed, 2), number(found, 2)]);
-                row.extend(error(found, true_speed));
-            }
-            row.push(number(100.0 * line.disagreement, 0));
-            row.push(line.erratum.as_ref().map(|erratum| notes.erratum(erratum)).unwrap_or_default());
-            row
-        })
-        .collect();
+    let rows = validation.both_speeds.iter().map(|line| {
+        let mut row = vec![line.test.to_string(), evidence(line.evidence).to_owned()];
+        for (found, true_speed) in line.found.into_iter().zip(line.true_speeds) {
+            row.extend([number(true_speed, 2), number(found, 2)]);
+            row.extend(error(found, true_speed));
+        }
+        row.push(number(100.0 * line.disagreement, 0));
+        row.push(line.erratum.as_ref().map(|erratum| notes.erratum(erratum)).unwrap_or_default());
+        row
+    });
     let errors = &validation.both_speed_errors;
     vec![
         heading("Both speeds from the velocities after the impact (m/s)"),
@@ -212,20 +200,16 @@ fn method(method: RestMethod) -> &'static str {
 }
 
 pub(super) fn from_rest(validation: &Validation) -> Vec<Block> {
-    let rows = validation
-        .from_rest
-        .iter()
-        .map(|line| {
-            let mut row = vec![line.test.to_string(), method(line.method).to_owned(), number(line.drag, 4)];
-            row.extend(line.after.map(|speed| number(speed, 2)));
-            for (found, true_speed) in line.found.into_iter().zip(line.true_speeds) {
-                row.extend([number(true_speed, 2), number(found, 2)]);
-                let [error, _] = error(found, true_speed);
-                row.push(error);
-            }
-            row
-        })
-        .collect();
+    let rows = validation.from_rest.iter().map(|line| {
+        let mut row = vec![line.test.to_string(), method(line.method).to_owned(), number(line.drag, 4)];
+        row.extend(line.after.map(|speed| number(speed, 2)));
+        for (found, true_speed) in line.found.into_iter().zip(line.true_speeds) {
+            row.extend([number(true_speed, 2), number(found, 2)]);
+            let [error, _] = error(found, true_speed);
+            row.push(error);
+        }
+        row
+    });
     let directed = validation.from_rest.iter().filter(|line| line.method != RestMethod::Motion);
     let errors: Vec<f64> =
         directed.flat_map(|line| [0, 1].map(|i| speed_error(line.found[i], line.true_speeds[i]).0)).collect();
