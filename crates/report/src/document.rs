@@ -224,6 +224,11 @@ impl Table {
         self.rows.push(Row::Cells(cells.into()));
     }
 
+    /// A sentence about the table, right below it.
+    pub(crate) fn note(&mut self, words: impl Into<String>) {
+        self.notes.push(words.into());
+    }
+
     /// A row with a value or a dash for each vehicle; no row if neither has a value.
     pub(crate) fn pair(&mut self, label: &str, values: [Option<String>; 2], source: &str) {
         if values.iter().any(Option::is_some) {
