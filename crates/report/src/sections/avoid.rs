@@ -493,7 +493,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         }
     }
     if let Some(clears) = by_outlines {
-        table.notes.push(format!(
+        table.note(format!(
             "From the impact, the other vehicle goes {}{} until its outline has left the strip that vehicle {} sweeps, each \
              straight along its heading.",
             units.format(Measure::Way, clears.distance),
@@ -503,7 +503,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     }
     if goes_on {
         let speed = found.scene.clears.map(|clears| clears.distance / clears.after);
-        table.notes.push(match (&given.demand, speed) {
+        table.note(match (&given.demand, speed) {
             (Some(GivenDemand::Other(_)), _) | (_, None) => "The other party moves on as it came.".to_owned(),
             (_, Some(speed)) => format!(
                 "The other party moves on with the speed of its vehicle at the impact, {}.",
@@ -512,17 +512,17 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         });
     }
     if given.swell.is_none() {
-        table.notes.push("The build-up time of the brakes is 0, as the case gives none.".to_owned());
+        table.note("The build-up time of the brakes is 0, as the case gives none.");
     }
     if given.speed.is_none() {
-        table.notes.push(format!(
+        table.note(format!(
             "The speed at the impact, {}, is not an input of [avoid].",
             units.road_speed(found.scene.at_impact)
         ));
     }
     let missing = analysis::without_source(given);
     if !missing.is_empty() {
-        table.notes.push(format!(
+        table.note(format!(
             "Without a source: {}. An input without an origin is worth little before a court.",
             missing.join(", ")
         ));
@@ -629,7 +629,7 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     );
     table.notes.extend(hidden(case, found.hiding.as_ref(), units));
     if let Some(share) = intervals.map(|of| of.never_hidden).filter(|share| *share > 0.0) {
-        table.notes.push(format!(
+        table.note(format!(
             "In {} of the samples, the obstacles hide nothing in the {SIGHT_LOOK_BACK} s before the impact; the intervals are those of the \
              others.",
             number(share, 3)
@@ -1001,10 +1001,9 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
         "",
     );
     if scene.temporal().is_none() {
-        table.notes.push(
+        table.note(
             "Whether it was avoidable in time is not asked, as the case has no `clear`: it presupposes that the other party certainly moved \
-             and would not have stopped."
-                .to_owned(),
+             and would not have stopped.",
         );
     }
     table
@@ -1087,7 +1086,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     row(stopped, chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
-    table.notes.push(format!(
+    table.note(format!(
         "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit. With all else \
          kept, it is that of Davis 2003. ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
         grouped(chance.possible),
@@ -1097,7 +1096,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
         units.format(Measure::Time, chance.time.high),
     ));
     if chance.possible < chance.samples {
-        table.notes.push(format!(
+        table.note(format!(
             "{} more samples do not count, because they describe no possible scene: the brakes took hold before the demand, for example, or \
              the vehicle did not catch up with the other.",
             grouped(chance.samples - chance.possible)
@@ -1114,10 +1113,9 @@ fn influences(chance: &AvoidChance) -> Table {
             influence.input.as_ref().map_or_else(|| "the speed, by the evidence".to_owned(), input_name);
         table.row([name, number(influence.difference, 3)]);
     }
-    table.notes.push(
+    table.note(
         "The probability that it is avoided at the limit, among the samples in which the number is above its median, less that among the \
-         others."
-            .to_owned(),
+         others.",
     );
     table
 }

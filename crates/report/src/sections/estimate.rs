@@ -457,7 +457,7 @@ impl<'a> Page<'a> {
         }
         let defaults = &self.estimated.default_errors;
         if !defaults.is_empty() {
-            table.notes.push(format!(
+            table.note(format!(
                 "Errors that the case does not give, taken by default: {}.",
                 quoted(defaults, ", ")
             ));

@@ -208,8 +208,6 @@ fn tenths(field: &Field) -> Table {
             table.row([format!("{} to {} %", 10 * tenth, 10 * (tenth + 1)), count.to_string(), bar]);
         }
     }
-    table
-        .notes
-        .push("If the intervals are right as often as they say, all bars are about equally long.".to_owned());
+    table.note("If the intervals are right as often as they say, all bars are about equally long.");
     table
 }

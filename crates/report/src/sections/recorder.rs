@@ -8,6 +8,7 @@ use recorder::{
     RecorderTable, SpeedErrorSource, force_direction,
 };
 
+use super::chosen::or_none;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::pictures::recorder as pictures;
 use crate::units::{Measure, Units, number};
@@ -159,7 +160,6 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
             Column::words("", Width::Share),
         ],
     );
-    let or_none = |shown: Option<String>| shown.unwrap_or_else(|| NONE.to_owned());
     let degrees = |direction: f64| number(direction.to_degrees(), 0);
     for one in in_order(found) {
         let OfImpact { number: place, since_previous, event, .. } = one.of_impact;
@@ -177,7 +177,7 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let size = delta_v.map(|si| format!("a ΔV of {}", units.format(Measure::RoadSpeed, si)));
     let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
-    table.notes.push(if known.is_empty() {
+    table.note(if known.is_empty() {
         "The case tells neither the ΔV nor the direction of its impact: give `pdof`, or `[impact]` with the headings and contact points of \
          both vehicles; for the ΔV, the crush of both."
             .to_owned()
@@ -237,11 +237,11 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
             NONE.to_owned(),
         ]);
     }
-    rows.notes.push(format!("{}: {}.", from(source), table.layout.name()));
+    rows.note(format!("{}: {}.", from(source), table.layout.name()));
     for LeftTable { headings, reason } in &table.left {
         let headings: Vec<String> =
             headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
-        rows.notes.push(format!("Not read: {}, as {reason}.", headings.join(", ")));
+        rows.note(format!("Not read: {}, as {reason}.", headings.join(", ")));
     }
     page.push(rows);
     if table.counted_down {
@@ -452,7 +452,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let errors = &found.errors;
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
-    table.notes.push(format!(
+    table.note(format!(
         "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
          against GPS), and between them by the deceleration before the last sample, less the braking of the \
          engine where the brake is off. Tyres: ± {} %.",
@@ -463,7 +463,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         kmh(errors.slip_sd),
         percent(errors.tyre_sd),
     ));
-    table.notes.push(format!(
+    table.note(format!(
         "From the last speed to the impact: any deceleration up to {} g with the brake on, within ± {} g \
          with it off. {} A stored \
          speed is up to {} s old. Each is a key of `errors`.",
@@ -473,7 +473,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         number(errors.latency, 2),
     ));
     if speed.parts.iter().any(|part| part.source == SpeedErrorSource::LastSample) {
-        table.notes.push("The stored speed may be that of the impact itself: see below.".to_owned());
+        table.note("The stored speed may be that of the impact itself: see below.");
     }
     table
 }
@@ -544,11 +544,10 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             .to_owned(),
         ]);
     }
-    table.notes.push(
+    table.note(
         "ISO/TR 12353-3 determines the beginning and the end by methods A, B and C. These rules are that of 49 CFR 563.5 and \
          UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), a mean acceleration above 2 g in 20 ms, and the greatest ΔV of the record. \
-         Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front."
-            .to_owned(),
+         Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front.",
     );
     page.push(table);
     remarks(page, found);

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use ::drawing::Drawing;
 use ::uncertainty::{Bar, Classes, End, Estimate, FIRST_ORDER_LIMIT, Index, SamplingMethod, Shape, Summary};
 use analysis::quantities::{DELTA_V, PDOF, SPEED};
 use analysis::{
@@ -358,9 +357,13 @@ impl<'a> Page<'a> {
             table.row([format!("{from:>11} – {to}"), share, bar(count, most)]);
         }
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
-        table.notes.push(format!("{below} % lie below and {above} % above."));
+        table.note(format!("{below} % lie below and {above} % above."));
         match pictures::histogram_picture(self.case, self.uncertainty, 0, self.units) {
-            Some(picture) => self.chart("histogram-0".to_owned(), move || picture.draw(), Some(table)),
+            Some(picture) => self.document.push(Block::Chart {
+                name: "histogram-0".to_owned(),
+                drawing: Undrawn::new(move || picture.draw()),
+                instead: Some(table),
+            }),
             None => self.document.push(table),
         }
     }
@@ -380,18 +383,9 @@ impl<'a> Page<'a> {
                 && let Some(picture) =
                     pictures::histogram_picture(self.case, self.uncertainty, place, self.units)
             {
-                self.chart(format!("histogram-{place}"), move || picture.draw(), None);
+                self.document.chart(format!("histogram-{place}"), move || picture.draw());
             }
         }
-    }
-
-    fn chart(
-        &mut self,
-        name: String,
-        draw: impl Fn() -> Drawing + Send + Sync + 'static,
-        instead: Option<Table>,
-    ) {
-        self.document.push(Block::Chart { name, drawing: Undrawn::new(draw), instead });
     }
 
     fn tornado(&mut self, place: usize) {
@@ -401,7 +395,7 @@ impl<'a> Page<'a> {
             return;
         }
         if let Some(picture) = pictures::tornado_picture(self.case, self.uncertainty, place, self.units) {
-            self.chart(format!("tornado-{place}"), move || picture.draw(), None);
+            self.document.chart(format!("tornado-{place}"), move || picture.draw());
         }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = pictured(output.output);
@@ -440,7 +434,7 @@ impl<'a> Page<'a> {
         let rest = bars.len().saturating_sub(BARS);
         if let Some(next) = bars.get(BARS).and_then(|bar| bar.swing(place)) {
             let next = self.units.format(alone, next.abs());
-            table.notes.push(format!("{rest} more, each with an effect of at most {next}"));
+            table.note(format!("{rest} more, each with an effect of at most {next}"));
         }
         self.document.push(table);
         self.document.paragraph(
