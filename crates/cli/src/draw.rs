@@ -1,6 +1,5 @@
 //! `deltav draw`.
 
-use std::io::{self, Write as _};
 use std::path::Path;
 
 use analysis::{Analysis, NoEstimate, Weighed};
@@ -13,7 +12,7 @@ use requests::{
 };
 
 use crate::arguments::{DrawArguments, What};
-use crate::files::{case_file, named};
+use crate::files::{case_file, named, say};
 use crate::pictures::write_picture;
 use crate::present::{NoAnswer, answered, found, units};
 use crate::threads::{in_pool, pool};
@@ -60,29 +59,22 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         (warnings, None, None) if is_motion => (warnings, "motion"),
         (warnings, None, None) => (warnings, "crush"),
     };
+    let case = named(&arguments.case);
     if warnings > 0 {
         let warnings = if warnings == 1 { "1 warning".to_owned() } else { format!("{warnings} warnings") };
-        let case = named(&arguments.case);
-        writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
-            .context("cannot write to standard error")?;
+        say(&format!("{case} has {warnings}: `deltav {command} {case}` prints them."))?;
     }
     if overdetermined && !plain && subject != Subject::Damage {
-        let case = named(&arguments.case);
-        writeln!(
-            io::stderr(),
+        say(&format!(
             "{case} has more evidence than the exact solution that is drawn: `deltav reconstruct {case}` weighs \
              all of it."
-        )
-        .context("cannot write to standard error")?;
+        ))?;
     }
     if subject == Subject::Scene && analysis.exchange().is_none() {
-        let case = named(&arguments.case);
-        writeln!(
-            io::stderr(),
+        say(&format!(
             "{case} does not give both speeds, so the scene has no velocities and no impulse: `deltav check \
              {case}` says which command finds them."
-        )
-        .context("cannot write to standard error")?;
+        ))?;
     }
     write_picture(path, &drawing, format)
 }
@@ -91,8 +83,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
 fn weigh(analysis: &Analysis, file: &CaseFile, units: Units) -> Result<Option<Weighed>> {
     let weighed = in_pool(&pool(None)?, |progress| requests::weigh(&file.case, analysis, progress))?;
     answered(weighed, file, units).or_else(|reason| {
-        writeln!(io::stderr(), "the drawing has no speeds: {reason:#}")
-            .context("cannot write to standard error")?;
+        say(&format!("the drawing has no speeds: {reason:#}"))?;
         Ok(None)
     })
 }
@@ -108,13 +99,11 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
                 "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
             return Err(NoAnswer(message.to_owned()).into());
         }
-        Some(NoEstimate::Contradicted(keys)) => writeln!(
-            io::stderr(),
+        Some(NoEstimate::Contradicted(keys)) => say(&format!(
             "no collision reproduces all of the evidence, and even the nearest miss {}: the picture shows \
              these collisions, and is not an answer; `deltav estimate` says more",
             keys.join(", ")
-        )
-        .context("cannot write to standard error")?,
+        ))?,
         None => {}
     }
     let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);

@@ -71,6 +71,11 @@ pub(crate) fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()>
     }
 }
 
+/// A line on standard error, beside the output.
+pub(crate) fn say(line: &str) -> Result<()> {
+    writeln!(io::stderr(), "{line}").context("cannot write to standard error")
+}
+
 #[cfg(test)]
 mod tests {
     use std::io;

@@ -1,12 +1,11 @@
 //! Drawings as files.
 
-use std::io::{self, Write as _};
 use std::path::Path;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use report::{Drawing, PictureFormat};
 
-use crate::files::{named, write};
+use crate::files::{named, say, write};
 
 /// Writes a drawing, and reports on standard error which of its letters it could not draw.
 pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: PictureFormat) -> Result<()> {
@@ -14,13 +13,11 @@ pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: Pict
         drawing.missing_letters().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();
     if format != PictureFormat::Svg && !missing.is_empty() {
         let place = path.map_or_else(String::new, |path| format!("{}: ", named(path)));
-        writeln!(
-            io::stderr(),
+        say(&format!(
             "warning: {place}the font of the drawings lacks {}; the picture has ? instead. An SVG uses the \
              fonts of its reader.",
             missing.join(", ")
-        )
-        .context("cannot write to standard error")?;
+        ))?;
     }
     write(path, drawing.write_as(format)?)
 }

@@ -21,6 +21,7 @@ pub(crate) mod validation;
 use ::uncertainty::{Distribution, Shape};
 use case::{Case, CaseFile, Text};
 use serde::Serialize;
+use serde_json::{Value, json};
 use sha2::{Digest as _, Sha256};
 
 use crate::words::file_name;
@@ -42,37 +43,51 @@ fn distribution_name(distribution: &Distribution) -> &'static str {
 }
 
 /// The results of a case, with the program and the file that reproduce them.
-#[derive(Serialize)]
-struct Identified<'a, T> {
-    /// The file of a case among several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    file: Option<&'a str>,
-    #[serde(flatten)]
-    document: T,
-    program: ProgramBlock,
-    case: CaseBlock,
+fn identified(file: &CaseFile, results: Value) -> Value {
+    let case = case_file(file.source.name(), file.source.text().as_bytes());
+    followed(results, json!({ "program": program(), "case": case }))
 }
 
-#[derive(Serialize)]
-struct ProgramBlock {
-    name: &'static str,
-    version: &'static str,
+fn program() -> Value {
+    json!({ "name": "deltav", "version": env!("CARGO_PKG_VERSION") })
 }
 
-const THIS_PROGRAM: ProgramBlock = ProgramBlock { name: "deltav", version: env!("CARGO_PKG_VERSION") };
-
-#[derive(Serialize)]
-struct CaseBlock {
-    file: String,
-    sha256: String,
+fn case_file(path: &Text, bytes: &[u8]) -> Value {
+    json!({ "file": file_name(path).as_given(), "sha256": sha256(bytes) })
 }
 
-fn identified<T>(file: &CaseFile, document: T) -> Identified<'_, T> {
-    let case = CaseBlock {
-        file: file_name(file.source.name()).as_given().to_owned(),
-        sha256: sha256(file.source.text().as_bytes()),
-    };
-    Identified { file: None, document, program: THIS_PROGRAM, case }
+/// An object with the keys of another one behind its own.
+fn followed(mut object: Value, more: Value) -> Value {
+    if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
+        object.extend(more);
+    }
+    object
+}
+
+/// An object that leaves out those of these keys that have no value: null, or an empty text or list.
+fn optional<const N: usize>(keys: [&str; N], object: Value) -> Value {
+    kept(object, |key, value| !keys.contains(&key) || has_value(value))
+}
+
+/// An object that leaves out all keys without a value.
+fn present(object: Value) -> Value {
+    kept(object, |_, value| has_value(value))
+}
+
+fn kept(mut object: Value, is_kept: impl Fn(&str, &Value) -> bool) -> Value {
+    if let Value::Object(object) = &mut object {
+        object.retain(|key, value| is_kept(key, value));
+    }
+    object
+}
+
+fn has_value(value: &Value) -> bool {
+    match value {
+        Value::Null => false,
+        Value::String(text) => !text.is_empty(),
+        Value::Array(elements) => !elements.is_empty(),
+        _ => true,
+    }
 }
 
 /// The SHA-256 of a file, in hexadecimal digits: a report and its JSON name that of the case.

@@ -146,6 +146,13 @@ pub(crate) enum Width {
     Share,
 }
 
+/// A number alone is that of characters.
+impl From<usize> for Width {
+    fn from(characters: usize) -> Self {
+        Self::Fixed(characters)
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(crate) enum Row {
     /// One cell for each column; a cell may have several lines.
@@ -157,15 +164,15 @@ pub(crate) enum Row {
 }
 
 impl Column {
-    pub(crate) fn words(name: impl Into<String>, width: Width) -> Self {
-        Self { name: name.into(), unit: String::new(), joint: ", ", cells: Cells::Words, width }
+    pub(crate) fn words(name: impl Into<String>, width: impl Into<Width>) -> Self {
+        Self { name: name.into(), unit: String::new(), joint: ", ", cells: Cells::Words, width: width.into() }
     }
 
-    pub(crate) fn numbers(name: impl Into<String>, width: Width) -> Self {
+    pub(crate) fn numbers(name: impl Into<String>, width: impl Into<Width>) -> Self {
         Self { cells: Cells::Numbers, ..Self::words(name, width) }
     }
 
-    pub(crate) fn bars(name: impl Into<String>, width: Width) -> Self {
+    pub(crate) fn bars(name: impl Into<String>, width: impl Into<Width>) -> Self {
         Self { cells: Cells::Bars, ..Self::words(name, width) }
     }
 
@@ -201,10 +208,10 @@ impl Table {
         Self::new(
             title,
             [
-                Column::words("", Width::Fixed(32)),
+                Column::words("", 32),
                 Column::words(first, Width::Share),
                 Column::words(second, Width::Share),
-                Column::words(source, Width::Fixed(12)),
+                Column::words(source, 12),
             ],
         )
     }
@@ -215,6 +222,11 @@ impl Table {
 
     pub(crate) fn row<const N: usize>(&mut self, cells: [String; N]) {
         self.rows.push(Row::Cells(cells.into()));
+    }
+
+    /// A sentence about the table, right below it.
+    pub(crate) fn note(&mut self, words: impl Into<String>) {
+        self.notes.push(words.into());
     }
 
     /// A row with a value or a dash for each vehicle; no row if neither has a value.

@@ -39,8 +39,8 @@
 //! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
-//! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
-//! estimate, [`estimate_pictures`] all of these one below the other, [`computed_against_measured`] and
+//! [`histogram`] and [`tornado`] plot an uncertainty, [`density`] a result of an estimate,
+//! [`estimate_pictures`] its speeds and rests one below the other, [`computed_against_measured`] and
 //! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
 //! judgement by recorders.
 //!
@@ -107,9 +107,9 @@ pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
     AvoidPicture, DrawingError, Frames, Subject, computed_against_measured, density, drawing,
-    estimate_pictures, estimated_against_recorded, frames, histogram, joint_speeds, motion_on,
-    place_of_impact, plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests,
-    site_plan, site_plan_of, tornado,
+    estimate_pictures, estimated_against_recorded, frames, histogram, motion_on, place_of_impact,
+    plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, site_plan, site_plan_of,
+    tornado,
 };
 pub use sections::avoid::{avoid, avoid_warnings};
 pub use sections::claims::claims;

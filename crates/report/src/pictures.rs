@@ -15,7 +15,7 @@ mod staged;
 mod vehicle;
 
 pub use avoid::AvoidPicture;
-pub use estimate::{density, estimate_pictures, joint_speeds, rests};
+pub use estimate::{density, estimate_pictures};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use motion::place_of_impact;
 pub use spread::{histogram, tornado};
@@ -23,7 +23,7 @@ pub(crate) use spread::{histogram_picture, tornado_picture};
 pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
-use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
+use ::drawing::{Axis, PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
 use analysis::quantities::SPEED;
 use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Weighed};
 use case::{Axes, Case, CaseFile, Faults, Purpose, Quantity};
@@ -442,6 +442,11 @@ pub fn site_plan_of(case: &Case, picture: Vec<u8>) -> Result<Option<SitePlan>, S
     let corner = [plan.corner.x.si(), plan.corner.y.si()];
     let angle = plan.angle.as_ref().map_or(0.0, Quantity::si);
     site_plan(picture, case.axes, corner, angle, plan.width.si()).map(Some)
+}
+
+/// An axis with its unit in the label.
+fn axis(units: Units, words: &str, quantity: Measure) -> Axis {
+    Axis { title: format!("{words}, {}", units.name(quantity)), unit: units.size(quantity) }
 }
 
 /// A unit of the reader, for a scale bar.

@@ -112,6 +112,12 @@ pub enum Measure {
     StiffnessG,
 }
 
+/// A count with commas.
+#[expect(clippy::cast_precision_loss, reason = "counts are below 2^53")]
+pub(crate) fn grouped(count: usize) -> String {
+    number(count as f64, 0)
+}
+
 impl Units {
     /// Each under its word.
     pub const WORDS: [(&str, Self); 3] = [("si", Self::Si), ("us", Self::Us), ("uk", Self::Uk)];
@@ -127,46 +133,35 @@ impl Units {
     }
 
     fn display(self, quantity: Measure) -> Display {
-        match (quantity, self) {
-            (Measure::Ratio, _) => unit("", 1.0, 4),
-            (Measure::Speed, Self::Si | Self::Uk) => unit("m/s", 1.0, 2),
-            (Measure::Speed, Self::Us) => unit("ft/s", FOOT, 2),
-            (Measure::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
-            (Measure::RoadSpeed, Self::Us | Self::Uk) => unit("mph", MILE_PER_HOUR, 2),
-            (Measure::Length, Self::Si | Self::Uk) => unit("m", 1.0, 3),
-            (Measure::Length, Self::Us) => unit("ft", FOOT, 2),
-            (Measure::Crush, Self::Si | Self::Uk) => unit("cm", 0.01, 1),
-            (Measure::Crush, Self::Us) => unit("in", INCH, 1),
-            (Measure::Mass, Self::Si | Self::Uk) => unit("kg", 1.0, 1),
-            (Measure::Mass, Self::Us) => unit("lb", POUND, 0),
-            (Measure::YawInertia, Self::Si | Self::Uk) => unit("kg·m²", 1.0, 0),
-            (Measure::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
-            (Measure::Angle, _) => unit("°", DEGREE, 1),
-            (Measure::YawRate, _) => unit("rad/s", 1.0, 2),
-            (Measure::YawRateDegrees, _) => unit("°/s", DEGREE, 0),
-            (Measure::Energy, Self::Si | Self::Uk) => unit("J", 1.0, 0),
-            (Measure::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
-            (Measure::Impulse, Self::Si | Self::Uk) => unit("N·s", 1.0, 0),
-            (Measure::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
-            (Measure::MomentImpulse, Self::Si | Self::Uk) => unit("N·m·s", 1.0, 0),
-            (Measure::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
-            (Measure::Momentum, Self::Si | Self::Uk) => unit("kg·m/s", 1.0, 0),
+        let same = |unit: Display| [unit; 2];
+        let [si, us] = match quantity {
+            Measure::Ratio => same(unit("", 1.0, 4)),
+            Measure::Speed => [unit("m/s", 1.0, 2), unit("ft/s", FOOT, 2)],
+            Measure::RoadSpeed if self == Self::Uk => same(unit("mph", MILE_PER_HOUR, 2)),
+            Measure::RoadSpeed => [unit("km/h", 1.0 / 3.6, 1), unit("mph", MILE_PER_HOUR, 2)],
+            Measure::Length => [unit("m", 1.0, 3), unit("ft", FOOT, 2)],
+            Measure::Crush => [unit("cm", 0.01, 1), unit("in", INCH, 1)],
+            Measure::Mass => [unit("kg", 1.0, 1), unit("lb", POUND, 0)],
+            Measure::YawInertia => [unit("kg·m²", 1.0, 0), unit("lb·ft·s²", POUND_FORCE * FOOT, 0)],
+            Measure::Angle => same(unit("°", DEGREE, 1)),
+            Measure::YawRate => same(unit("rad/s", 1.0, 2)),
+            Measure::YawRateDegrees => same(unit("°/s", DEGREE, 0)),
+            Measure::Energy => [unit("J", 1.0, 0), unit("ft·lb", FOOT * POUND_FORCE, 0)],
+            Measure::Impulse => [unit("N·s", 1.0, 0), unit("lb·s", POUND_FORCE, 0)],
+            Measure::MomentImpulse => [unit("N·m·s", 1.0, 0), unit("ft·lb·s", FOOT * POUND_FORCE, 0)],
             // Weight times speed, as momentum is drawn where weights are in pounds.
-            (Measure::Momentum, Self::Us) => unit("lb·mph", POUND * MILE_PER_HOUR, 0),
-            (Measure::Force, Self::Si | Self::Uk) => unit("kN", 1000.0, 1),
-            (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
-            (Measure::Time, _) => unit("s", 1.0, 2),
-            (Measure::Way, Self::Si | Self::Uk) => unit("m", 1.0, 2),
-            (Measure::Way, Self::Us) => unit("ft", FOOT, 1),
-            (Measure::Acceleration, Self::Si | Self::Uk) => unit("m/s²", 1.0, 2),
-            (Measure::Acceleration, Self::Us) => unit("ft/s²", FOOT, 1),
-            (Measure::StiffnessA, Self::Si | Self::Uk) => unit("N/cm", 100.0, 1),
-            (Measure::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
-            (Measure::StiffnessB, Self::Si | Self::Uk) => unit("N/cm²", 10_000.0, 2),
-            (Measure::StiffnessB, Self::Us) => unit("lb/in²", POUND_FORCE / (INCH * INCH), 2),
-            (Measure::StiffnessG, Self::Si | Self::Uk) => unit("N", 1.0, 0),
-            (Measure::StiffnessG, Self::Us) => unit("lb", POUND_FORCE, 1),
-        }
+            Measure::Momentum => [unit("kg·m/s", 1.0, 0), unit("lb·mph", POUND * MILE_PER_HOUR, 0)],
+            Measure::Force => [unit("kN", 1000.0, 1), unit("lb", POUND_FORCE, 0)],
+            Measure::Time => same(unit("s", 1.0, 2)),
+            Measure::Way => [unit("m", 1.0, 2), unit("ft", FOOT, 1)],
+            Measure::Acceleration => [unit("m/s²", 1.0, 2), unit("ft/s²", FOOT, 1)],
+            Measure::StiffnessA => [unit("N/cm", 100.0, 1), unit("lb/in", POUND_FORCE / INCH, 1)],
+            Measure::StiffnessB => {
+                [unit("N/cm²", 10_000.0, 2), unit("lb/in²", POUND_FORCE / (INCH * INCH), 2)]
+            }
+            Measure::StiffnessG => [unit("N", 1.0, 0), unit("lb", POUND_FORCE, 1)],
+        };
+        if self == Self::Us { us } else { si }
     }
 
     /// An SI value with its unit, like `75.03 ft/s`.

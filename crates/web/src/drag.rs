@@ -143,10 +143,7 @@ impl Change {
             "body" => self.contact(handle, [-x, -y]),
             "contact" => self.contact(handle, [x - handle.centre()[0], y - handle.centre()[1]]),
             "station" => self.depth(handle, to),
-            "rest" => {
-                self.put(&handle.key("after.rest.x"), x, Dimension::Length, PLACE)?;
-                self.put(&handle.key("after.rest.y"), axes.lateral(y), Dimension::Length, PLACE)
-            }
+            "rest" => self.put_place(&handle.key("after.rest"), [x, axes.lateral(y)]),
             "rest_heading" => {
                 let rest = vehicle.after.as_ref().and_then(|after| after.rest);
                 let turn = axes.lateral(to.turn(handle));
@@ -166,8 +163,7 @@ impl Change {
             }
             "point" => {
                 let point = handle.key(&format!("after.points[{}]", handle.index() + 1));
-                self.put(&format!("{point}.x"), x, Dimension::Length, PLACE)?;
-                self.put(&format!("{point}.y"), axes.lateral(y), Dimension::Length, PLACE)
+                self.put_place(&point, [x, axes.lateral(y)])
             }
             kind => {
                 Err(Refused::message(format!("nothing of the case is moved by \"{}\"", case::shown(kind))))
@@ -194,8 +190,7 @@ impl Change {
             );
         }
         self.set("scene.site_plan.file", &file)?;
-        self.put("scene.site_plan.corner.x", x, Dimension::Length, PLACE)?;
-        self.put("scene.site_plan.corner.y", y, Dimension::Length, PLACE)?;
+        self.put_place("scene.site_plan.corner", [x, y])?;
         self.put("scene.site_plan.width", plan.width, Dimension::Length, PLACE)?;
         self.put("scene.site_plan.angle", angle, Dimension::Angle, ANGLE)
     }
@@ -218,8 +213,7 @@ impl Change {
                 self.put(&handle.key("contact.angle"), angle, Dimension::Angle, ANGLE)
             }
             Some(ContactPoint::Cartesian { .. }) | None => {
-                self.put(&handle.key("contact.x"), forward, Dimension::Length, PLACE)?;
-                self.put(&handle.key("contact.y"), lateral, Dimension::Length, PLACE)
+                self.put_place(&handle.key("contact"), [forward, lateral])
             }
         }
     }
@@ -271,6 +265,12 @@ impl Change {
     /// The value of a key, letter by letter.
     fn written(&self, key: &str) -> Option<&str> {
         self.file.source.text().get(self.file.source.span(key)?)
+    }
+
+    /// Gives the keys `x` and `y` of a table other values (m), in the axes of the case.
+    fn put_place(&mut self, key: &str, [x, y]: [f64; 2]) -> Result<(), Refused> {
+        self.put(&format!("{key}.x"), x, Dimension::Length, PLACE)?;
+        self.put(&format!("{key}.y"), y, Dimension::Length, PLACE)
     }
 
     /// Gives a quantity another value (SI), in its unit in the file; a range moves as a whole.

@@ -8,9 +8,10 @@ use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
 use pim_core::{Real, VehicleId};
 use serde::Serialize;
+use serde_json::{Value, json};
 
-use super::json::WarningBlock;
-use super::{identified, pretty, title};
+use super::json::all_warnings;
+use super::{followed, identified, list, optional, present, pretty, title};
 use crate::failures::no_answer;
 use crate::law;
 use crate::units::{Measure, Units, number};
@@ -19,126 +20,63 @@ use crate::words::regime_name;
 /// One row of the table, in SI units and radians. Values that a row cannot have are left out.
 #[derive(Default, Serialize)]
 pub(crate) struct Row {
+    #[serde(skip)]
     pub(crate) law: &'static str,
-    #[serde(skip_serializing_if = "String::is_empty")]
     pub(crate) coefficients: String,
-    #[serde(skip_serializing_if = "str::is_empty")]
     pub(crate) assumed: &'static str,
     /// CRASH3's friction limits by vehicle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) friction: Option<[f64; 2]>,
     #[serde(flatten)]
     pub(crate) values: Values,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found_difference: Option<f64>,
     /// For both speeds, if both are sought.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) speeds_difference: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) delta_v_difference: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<String>,
 }
 
 #[derive(Default, Serialize)]
 pub(crate) struct Values {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found: Option<f64>,
     /// Both, if both are sought.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) speeds: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) regime: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) delta_v: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     /// None for a fixed object.
     pub(crate) pdof: Option<[Option<f64>; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) energy_loss: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) normal_share: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) tangential_share: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) moment_share: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) final_yaw_rate: Option<[f64; 2]>,
 }
 
-#[derive(Serialize)]
-struct Document<'a> {
-    title: &'a str,
-    /// The axes of the yaw rates and the signed coefficients.
-    axes: &'static str,
-    rows: Vec<Row>,
-    /// The answers by damage, by momentum and by both.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    evidence: Option<EvidenceBlock>,
-    /// The warnings of the case itself.
-    warnings: Vec<WarningBlock>,
-}
-
-/// The answers by evidence.
-#[derive(Serialize)]
-pub(crate) struct EvidenceBlock {
-    /// (J) as measured.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) crush_energy: Option<f64>,
-    pub(crate) damage: EvidenceRow,
-    pub(crate) momentum: EvidenceRow,
-    pub(crate) momentum_and_damage: EvidenceRow,
-}
-
-/// The answer by one kind of evidence, in SI units, or why there is none.
-#[derive(Default, Serialize)]
-pub(crate) struct EvidenceRow {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) speeds: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) delta_v: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) closing_speed: Option<f64>,
-    /// (J) crush energy that the impact would need.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) crush_energy_needed: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) energy_loss: Option<f64>,
-    /// (–) difference between momentum and crush energy in standard deviations, if both were weighed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) standard_deviations_apart: Option<f64>,
-    /// How it was found, in words.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub(crate) how: String,
-    /// Why there is no answer, in words.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub(crate) error: String,
-}
-
-/// The answers by evidence, with words in the units of the reader.
-pub(crate) fn evidence(by: &ByEvidence, units: Units) -> EvidenceBlock {
-    let row = |answer: &Result<EvidenceAnswer, NoEvidence>| match answer {
-        Ok(answer) => EvidenceRow {
-            speeds: answer.speeds,
-            delta_v: Some(answer.delta_v),
-            closing_speed: answer.closing_speed,
-            crush_energy_needed: answer.crush_energy,
-            energy_loss: answer.energy_loss,
-            standard_deviations_apart: match answer.by {
-                EvidenceMethod::Weighed { apart, .. } => Some(apart),
-                _ => None,
-            },
-            how: method(answer.by, units),
-            error: String::new(),
-        },
-        Err(reason) => EvidenceRow { error: no_evidence(reason, units), ..EvidenceRow::default() },
-    };
-    EvidenceBlock {
-        crush_energy: by.crush_energy,
-        damage: row(&by.damage),
-        momentum: row(&by.momentum),
-        momentum_and_damage: row(&by.together),
+/// The answer by one kind of evidence in words: how it was found, or why there is none.
+pub(crate) fn evidence_words(answer: &Result<EvidenceAnswer, NoEvidence>, units: Units) -> String {
+    match answer {
+        Ok(answer) => method(answer.by, units),
+        Err(reason) => no_evidence(reason, units),
     }
+}
+
+/// The same in SI units.
+fn evidence(answer: &Result<EvidenceAnswer, NoEvidence>) -> Value {
+    let words = evidence_words(answer, Units::Si);
+    let Ok(answer) = answer else { return json!({ "error": words }) };
+    present(json!({
+        "speeds": answer.speeds,
+        "delta_v": answer.delta_v,
+        "closing_speed": answer.closing_speed,
+        // (J) that the impact would need.
+        "crush_energy_needed": answer.crush_energy,
+        "energy_loss": answer.energy_loss,
+        // (–) difference between momentum and crush energy in standard deviations, if both were weighed.
+        "standard_deviations_apart": match answer.by {
+            EvidenceMethod::Weighed { apart, .. } => Some(apart),
+            _ => None,
+        },
+        "how": words,
+    }))
 }
 
 /// How an answer was found.
@@ -306,12 +244,31 @@ pub fn comparison_json(file: &CaseFile, comparison: &Comparison) -> Result<Strin
 }
 
 /// The content of the JSON.
-pub(crate) fn document<'a>(case: &'a Case, comparison: &Comparison) -> impl Serialize + use<'a> {
-    Document {
-        title: title(case),
-        axes: case.axes.name(),
-        rows: rows(case, comparison, Units::Si),
-        evidence: comparison.evidence.as_ref().map(|by| evidence(by, Units::Si)),
-        warnings: WarningBlock::all(&comparison.own, case),
-    }
+pub(crate) fn document(case: &Case, comparison: &Comparison) -> Value {
+    let by_evidence = |by: &ByEvidence| {
+        optional(
+            ["crush_energy"],
+            json!({
+                // (J) as measured.
+                "crush_energy": by.crush_energy,
+                "damage": evidence(&by.damage),
+                "momentum": evidence(&by.momentum),
+                "momentum_and_damage": evidence(&by.together),
+            }),
+        )
+    };
+    let row = |row: Row| followed(json!({ "law": row.law }), present(json!(row)));
+    optional(
+        ["evidence"],
+        json!({
+            "title": title(case),
+            // The axes of the yaw rates and the signed coefficients.
+            "axes": case.axes.name(),
+            "rows": list(rows(case, comparison, Units::Si), row),
+            // The answers by damage, by momentum and by both.
+            "evidence": comparison.evidence.as_ref().map(by_evidence),
+            // The warnings of the case itself.
+            "warnings": all_warnings(&comparison.own, case),
+        }),
+    )
 }

@@ -6,15 +6,10 @@ use analysis::quantities::{CRUSH_ENERGY, FOUND_VALUE, IMPACT_RESTITUTION, SPEED}
 use analysis::{Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty};
 use case::{CaseFile, shown};
 use pim_core::VehicleId;
-use serde::Serialize;
 use serde_json::Value;
 
-use super::{
-    CaseBlock, Identified, ProgramBlock, THIS_PROGRAM, comparison, identified, json, on_one_line, sha256,
-    uncertainty,
-};
+use super::{case_file, comparison, followed, identified, json, on_one_line, optional, program, uncertainty};
 use crate::units::{Measure, Units};
-use crate::words::file_name;
 
 /// The result of one file.
 #[derive(Clone, Copy, Debug)]
@@ -167,13 +162,13 @@ enum Column {
 
 /// The columns: names in SI units, and contents. Made once, because each row needs them.
 fn columns(table: Table) -> &'static [(String, Column)] {
-    static ANALYSES: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Analyses));
-    static COMPARISONS: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Comparisons));
-    static UNCERTAINTIES: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Uncertainties));
+    static COLUMNS: LazyLock<[Vec<(String, Column)>; 3]> =
+        LazyLock::new(|| [Table::Analyses, Table::Comparisons, Table::Uncertainties].map(made));
+    let [analyses, comparisons, uncertainties] = &*COLUMNS;
     match table {
-        Table::Analyses => &ANALYSES,
-        Table::Comparisons => &COMPARISONS,
-        Table::Uncertainties => &UNCERTAINTIES,
+        Table::Analyses => analyses,
+        Table::Comparisons => comparisons,
+        Table::Uncertainties => uncertainties,
     }
 }
 
@@ -382,7 +377,7 @@ impl Csv {
     /// # Errors
     /// [`RowError`], which no answer causes.
     pub fn row(self, row: Row<'_>) -> Result<String, RowError> {
-        let value = document(row, Detail::Results)?;
+        let value = document(row, Detail::Results);
         let rows = match self.table {
             Table::Comparisons => value.pointer("/rows").and_then(Value::as_array).map_or(1, Vec::len),
             Table::Analyses | Table::Uncertainties => 1,
@@ -464,18 +459,7 @@ fn codes(value: &Value) -> String {
 /// # Errors
 /// [`RowError`], which no answer causes.
 pub fn jsonl_row(row: Row<'_>) -> Result<String, RowError> {
-    Ok(on_one_line(&document(row, Detail::All)?)?)
-}
-
-#[derive(Serialize)]
-struct RefusedFile<'a> {
-    file: &'a str,
-    error: &'a str,
-    #[serde(skip_serializing_if = "str::is_empty")]
-    help: &'a str,
-    program: ProgramBlock,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    case: Option<CaseBlock>,
+    Ok(on_one_line(&document(row, Detail::All))?)
 }
 
 /// How much of an answer a row contains.
@@ -486,36 +470,29 @@ enum Detail {
     Results,
 }
 
-fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Result<Value, serde_json::Error> {
+fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Value {
     let (file, answer) = match answer {
         Ok(answer) => answer,
         Err(Refused { error, help, bytes }) => {
-            let case = bytes.map(|bytes| CaseBlock {
-                file: file_name(&name.into()).as_given().to_owned(),
-                sha256: sha256(bytes),
+            let case = bytes.map(|bytes| case_file(&name.into(), bytes));
+            let refused = json!({
+                "file": name,
+                "error": error,
+                "help": help,
+                "program": program(),
+                "case": case,
             });
-            return serde_json::to_value(RefusedFile {
-                file: name,
-                error,
-                help,
-                program: THIS_PROGRAM,
-                case,
-            });
+            return optional(["help", "case"], refused);
         }
     };
     let case = &file.case;
-    match answer {
-        RowAnswer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)?),
-        RowAnswer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
-        RowAnswer::Uncertainty(found) => match detail {
-            Detail::All => of_file(name, file, uncertainty::document(case, found)),
-            Detail::Results => of_file(name, file, uncertainty::results(case, found)),
-        },
-    }
-}
-
-fn of_file(name: &str, file: &CaseFile, document: impl Serialize) -> Result<Value, serde_json::Error> {
-    serde_json::to_value(Identified { file: Some(name), ..identified(file, document) })
+    let answer = match (answer, detail) {
+        (RowAnswer::Analysis(analysis), _) => json::document(case, analysis),
+        (RowAnswer::Comparison(comparison), _) => comparison::document(case, comparison),
+        (RowAnswer::Uncertainty(found), Detail::All) => uncertainty::document(case, found),
+        (RowAnswer::Uncertainty(found), Detail::Results) => uncertainty::results(case, found),
+    };
+    followed(json!({ "file": name }), identified(file, answer))
 }
 
 /// A text that a spreadsheet shows and does not run as a formula: see [`Csv::row`].

@@ -8,22 +8,14 @@ use analysis::{Agreement, Estimated, EstimatedOutput, PieceFound, UnknownNumber}
 use case::CaseFile;
 use evidence::{CrushErrors, EnergyMethod, TestedClass};
 use pim_core::VehicleId;
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::csv::CsvStyle;
-use super::json::WarningBlock;
-use super::{distribution_name, identified, list, pretty, title};
+use super::json::warning;
+use super::{distribution_name, identified, list, optional, pretty, title};
 use crate::estimates::{
     Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key, unused,
 };
-
-#[derive(Serialize)]
-struct DoubtBlock {
-    code: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    key: Option<String>,
-}
 
 /// The median and the ends of the 95 % interval.
 fn spread(summary: &DrawsSummary) -> Value {
@@ -153,7 +145,9 @@ pub fn estimate_json(
 ) -> Result<String, serde_json::Error> {
     let doubts = estimated.doubts();
     let is_answer = doubts.is_empty();
-    let doubt = |doubt: &SamplerDoubt| DoubtBlock { code: doubt_code(doubt), key: doubted(doubt, estimated) };
+    let doubt = |doubt: &SamplerDoubt| {
+        optional(["key"], json!({ "code": doubt_code(doubt), "key": doubted(doubt, estimated) }))
+    };
     let outputs = estimated.outputs.iter().map(|one| (one.output.path(), output(one, is_answer)));
     let pieces = estimated.pieces.iter().zip(Agreement::of_all(&estimated.pieces));
     let crush = estimated.observed.crush.map(|errors| VehicleId::ALL.map(|id| crush(estimated, &errors, id)));
@@ -195,7 +189,7 @@ pub fn estimate_json(
         "default_errors": estimated.default_errors,
         "unused": list(&estimated.unused, |one| json!({ "key": one.key, "reason": unused(one.reason)[0] })),
         // The warnings about the inputs.
-        "warnings": list(&estimated.warnings, |warning| WarningBlock::new(&warning.seen(file.case.axes))),
+        "warnings": list(&estimated.warnings, |one| warning(&one.seen(file.case.axes))),
     });
     pretty(&identified(file, document))
 }

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use case::SeverityPrior;
-use field::ciss::{CissCrashes, CissTable};
+use field::ciss::{CissCrashes, CissLeftOut, CissTable};
 use field::{Field, Figures, Judged, LEVELS};
-use serde::Serialize;
+use serde_json::{Value, json};
 
-use super::{ProgramBlock, THIS_PROGRAM, pretty, sha256};
+use super::{followed, list, optional, pretty, program, sha256};
 
 /// The crashes that are judged.
 #[derive(Clone, Copy, Debug)]
@@ -31,165 +31,75 @@ pub struct FieldYear {
     pub sha256: Vec<String>,
 }
 
-/// What was judged, and by what: with these a result can be repeated.
-#[derive(Serialize)]
-pub(super) struct JudgedBlock<'a, T> {
-    #[serde(flatten)]
-    document: T,
-    program: ProgramBlock,
-    data: DataBlock<'a>,
+/// The judgement with the program and what was judged: with these a result can be repeated.
+pub(super) fn of_data(data: &FieldData<'_>, judgement: Value) -> Value {
+    let years = list(data.years, year);
+    // The checksum is that of the table of crashes.
+    let data = optional(["years"], json!({ "sha256": sha256(data.table.as_bytes()), "years": years }));
+    followed(judgement, json!({ "program": program(), "data": data }))
 }
 
-#[derive(Serialize)]
-struct DataBlock<'a> {
-    /// The checksum of the table of crashes.
-    sha256: String,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    years: Vec<YearBlock<'a>>,
+fn year(FieldYear { source, crashes, sha256 }: &FieldYear) -> Value {
+    let tables = crashes.tables.iter().zip(sha256);
+    let why = |(reason, count): (&CissLeftOut, &usize)| (reason.why(crashes.is_of_objects), *count);
+    json!({
+        "source": source,
+        "tables": list(tables, |(CissTable { name, file, rows }, sha256)| json!({
+            "name": name,
+            "file": file,
+            "rows": rows,
+            "sha256": sha256,
+        })),
+        "crashes": crashes.rows.len(),
+        "left_out": crashes.left_out.iter().map(why).collect::<BTreeMap<_, _>>(),
+    })
 }
 
-#[derive(Serialize)]
-struct YearBlock<'a> {
-    source: &'a str,
-    tables: Vec<TableBlock<'a>>,
-    crashes: usize,
-    left_out: BTreeMap<&'static str, usize>,
+pub(super) fn figures(figures: &Figures) -> Value {
+    let part = |place: usize| Some(coverage(figures.coverage?.map(|part| part[place])));
+    optional(
+        ["coverage", "coverage_error", "width95", "pit"],
+        json!({
+            "n": figures.n,
+            "collisions": figures.collisions,
+            "bias": figures.bias[0],
+            "bias_error": figures.bias[1],
+            "rms": figures.rms[0],
+            "rms_error": figures.rms[1],
+            "coverage": part(0),
+            "coverage_error": part(1),
+            "width95": figures.width95,
+            "crps": figures.crps,
+            "pit": figures.pit,
+        }),
+    )
 }
 
-#[derive(Serialize)]
-struct TableBlock<'a> {
-    name: &'static str,
-    file: &'a str,
-    rows: usize,
-    sha256: &'a str,
+/// A number for the intervals of each level, by the level in per cent.
+pub(super) fn coverage<T>(of_levels: [T; LEVELS.len()]) -> BTreeMap<String, T> {
+    LEVELS.iter().map(|level| format!("{:.0}", 100.0 * level)).zip(of_levels).collect()
 }
 
-impl<'a, T> JudgedBlock<'a, T> {
-    pub(super) fn of(data: &FieldData<'a>, document: T) -> Self {
-        let years = data.years.iter().map(YearBlock::of).collect();
-        let data = DataBlock { sha256: sha256(data.table.as_bytes()), years };
-        Self { document, program: THIS_PROGRAM, data }
-    }
-}
-
-impl<'a> YearBlock<'a> {
-    fn of(FieldYear { source, crashes, sha256 }: &'a FieldYear) -> Self {
-        let table = |(CissTable { name, file, rows }, sha256): (&'a CissTable, &'a String)| TableBlock {
-            name,
-            file,
-            rows: *rows,
-            sha256,
-        };
-        let why = |(reason, count): (&field::ciss::CissLeftOut, &usize)| {
-            (reason.why(crashes.is_of_objects), *count)
-        };
-        Self {
-            source,
-            tables: crashes.tables.iter().zip(sha256).map(table).collect(),
-            crashes: crashes.rows.len(),
-            left_out: crashes.left_out.iter().map(why).collect(),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct Document<'a> {
-    other: bool,
-    objects: bool,
-    prior: &'static str,
-    pairs: usize,
-    finished: usize,
-    groups: BTreeMap<&'a str, FiguresBlock>,
-    winsmash: BTreeMap<&'a str, FiguresBlock>,
-    left_out: Vec<LeftOutBlock<'a>>,
-    judged: Vec<VehicleBlock<'a>>,
-}
-
-#[derive(Serialize)]
-struct LeftOutBlock<'a> {
-    case: &'a str,
-    vehicle: usize,
-}
-
-#[derive(Serialize)]
-pub(super) struct FiguresBlock {
-    n: usize,
-    collisions: usize,
-    bias: f64,
-    bias_error: f64,
-    rms: f64,
-    rms_error: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coverage: Option<BTreeMap<String, f64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coverage_error: Option<BTreeMap<String, f64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    width95: Option<f64>,
-    crps: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pit: Option<[usize; 10]>,
-}
-
-#[derive(Serialize)]
-struct VehicleBlock<'a> {
-    case: &'a str,
-    vehicle: usize,
-    kind: &'static str,
-    recorder: f64,
-    longitudinal: bool,
-    median: f64,
-    interval50: [f64; 2],
-    interval80: [f64; 2],
-    interval95: [f64; 2],
-    below: f64,
-    crps: f64,
-    converged: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    winsmash: Option<f64>,
-}
-
-impl FiguresBlock {
-    pub(super) fn of(figures: &Figures) -> Self {
-        let level = |level: f64| format!("{:.0}", 100.0 * level);
-        let part = |place: usize| {
-            let coverage = figures.coverage?;
-            Some(LEVELS.iter().zip(coverage).map(|(&at, part)| (level(at), part[place])).collect())
-        };
-        Self {
-            n: figures.n,
-            collisions: figures.collisions,
-            bias: figures.bias[0],
-            bias_error: figures.bias[1],
-            rms: figures.rms[0],
-            rms_error: figures.rms[1],
-            coverage: part(0),
-            coverage_error: part(1),
-            width95: figures.width95,
-            crps: figures.crps,
-            pit: figures.pit,
-        }
-    }
-}
-
-impl<'a> VehicleBlock<'a> {
-    fn of(judged: &'a Judged) -> Self {
-        let [interval50, interval80, interval95] = judged.intervals;
-        Self {
-            case: &judged.case,
-            vehicle: judged.vehicle.index() + 1,
-            kind: judged.kind.name(),
-            recorder: judged.truth.delta_v,
-            longitudinal: judged.truth.is_longitudinal,
-            median: judged.median,
-            interval50,
-            interval80,
-            interval95,
-            below: judged.below,
-            crps: judged.crps,
-            converged: judged.converged,
-            winsmash: judged.winsmash,
-        }
-    }
+fn vehicle(judged: &Judged) -> Value {
+    let [interval50, interval80, interval95] = judged.intervals;
+    optional(
+        ["winsmash"],
+        json!({
+            "case": judged.case,
+            "vehicle": judged.vehicle.number(),
+            "kind": judged.kind.name(),
+            "recorder": judged.truth.delta_v,
+            "longitudinal": judged.truth.is_longitudinal,
+            "median": judged.median,
+            "interval50": interval50,
+            "interval80": interval80,
+            "interval95": interval95,
+            "below": judged.below,
+            "crps": judged.crps,
+            "converged": judged.converged,
+            "winsmash": judged.winsmash,
+        }),
+    )
 }
 
 /// The word for the prior of the severity.
@@ -204,24 +114,19 @@ pub(super) fn prior(injured: bool) -> &'static str {
 /// # Errors
 /// If the JSON cannot be written.
 pub fn field_json(field: &Field, data: &FieldData<'_>) -> Result<String, serde_json::Error> {
-    let document = Document {
-        other: field.other,
-        objects: field.objects,
-        prior: prior(field.injured),
-        pairs: field.pairs,
-        finished: field.finished,
-        groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),
-        winsmash: field
-            .groups
-            .iter()
-            .filter_map(|group| Some((group.name, FiguresBlock::of(group.winsmash.as_ref()?))))
-            .collect(),
-        left_out: field
-            .doubted
-            .iter()
-            .map(|(case, vehicle)| LeftOutBlock { case, vehicle: vehicle.index() + 1 })
-            .collect(),
-        judged: field.judged.iter().map(VehicleBlock::of).collect(),
-    };
-    pretty(&JudgedBlock::of(data, document))
+    let ours = field.groups.iter().map(|group| (group.name, figures(&group.ours)));
+    let winsmash =
+        field.groups.iter().filter_map(|group| Some((group.name, figures(group.winsmash.as_ref()?))));
+    let document = json!({
+        "other": field.other,
+        "objects": field.objects,
+        "prior": prior(field.injured),
+        "pairs": field.pairs,
+        "finished": field.finished,
+        "groups": ours.collect::<BTreeMap<_, _>>(),
+        "winsmash": winsmash.collect::<BTreeMap<_, _>>(),
+        "left_out": list(&field.doubted, |(case, id)| json!({ "case": case, "vehicle": id.number() })),
+        "judged": list(&field.judged, vehicle),
+    });
+    pretty(&of_data(data, document))
 }

@@ -7,119 +7,32 @@ use analysis::quantities::{
     MOMENTUM_NORMAL_WORK, MOMENTUM_RESTITUTION,
 };
 use analysis::{
-    Analysis, BothFound, BothMethod, Check, Combination, Correction, Found, OutputQuantity, Pass, QUANTITIES,
-    Seen, SeenWarning, Travel, TravelOrigin, Values, Weighed,
+    Analysis, BothFound, BothMethod, Check, Combination, Correction, Found, OutputQuantity, QUANTITIES, Seen,
+    SeenWarning, Travel, TravelOrigin, Values, Weighed,
 };
-use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
+use case::{Basis, Case, CaseFile, MarkedWheel};
 use pim_core::VehicleId;
-use serde::Serialize;
 use serde_json::{Value, json};
 use trajectory::Sample;
 
-use super::headline::{HeadlineBlock, SolutionBlock};
-use super::{identified, pretty, title};
+use super::headline::{headline, solution};
+use super::{identified, list, optional, pretty, title};
 use crate::Units;
 use crate::law;
 use crate::warnings;
 use crate::words;
 
-/// The keys before the blocks of quantities.
-#[derive(Serialize)]
-struct Head<'a> {
-    title: &'a str,
-    /// The axes of all signed values: `z-up` or `z-down`.
-    axes: &'static str,
-    /// The answer of a reconstruction, and its method.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    headline: Option<HeadlineBlock>,
-    /// If all the evidence was weighed: the answers by its parts, each taken as exact.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    solutions: Vec<SolutionBlock>,
-    /// Keys of evidence that the numbers below do not use.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    left_aside: Vec<String>,
-    energy_basis: &'static str,
-    /// λ, if the basis has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangential_share: Option<f64>,
-    warnings: Vec<WarningBlock>,
-    /// The warnings about the exact solution, if all the evidence was weighed.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    solution_warnings: Vec<WarningBlock>,
-    checks: Vec<CheckBlock>,
+/// A warning, in SI units.
+pub(crate) fn warning(seen: &SeenWarning) -> Value {
+    let warning = seen.warning();
+    let vehicle = warning.vehicle().map(VehicleId::number);
+    let message = warnings::message(seen, Units::Si);
+    optional(["vehicle"], json!({ "code": warning.code(), "vehicle": vehicle, "message": message }))
 }
 
-#[derive(Serialize)]
-struct CheckBlock {
-    code: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vehicle: Option<u8>,
-    value: f64,
-    limit: f64,
-    passed: bool,
-}
-
-#[derive(Serialize)]
-pub(crate) struct WarningBlock {
-    code: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vehicle: Option<u8>,
-    message: String,
-}
-
-impl WarningBlock {
-    pub(crate) fn new(seen: &SeenWarning) -> Self {
-        let message = warnings::message(seen, Units::Si);
-        let warning = seen.warning();
-        Self { code: warning.code(), vehicle: warning.vehicle().map(VehicleId::number), message }
-    }
-
-    /// The warnings of an analysis.
-    pub(crate) fn all(analysis: &Analysis, case: &Case) -> Vec<Self> {
-        let seen = analysis.seen(case.axes);
-        seen.warnings.iter().map(Self::new).collect()
-    }
-}
-
-#[derive(Serialize)]
-struct FoundBlock {
-    quantity: &'static str,
-    value: f64,
-    admissible_roots: usize,
-    roots: Vec<f64>,
-    method: &'static str,
-    iterations: Vec<IterationBlock>,
-}
-
-#[derive(Serialize)]
-struct IterationBlock {
-    speed: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal_work: Option<f64>,
-    /// W_n + λ W_t, if the basis is a share of the tangential work.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crush_work: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct PointBlock {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    wheel: Option<&'static str>,
-    miss: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    turned: Option<f64>,
-}
-
-/// CRASH3's answer under one correction for oblique forces.
-#[derive(Serialize)]
-struct CorrectionBlock {
-    oblique: &'static str,
-    /// The friction limit of each vehicle, for the friction-limited correction.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    friction: Option<OfMovable>,
-    factor: [f64; 2],
-    crush_energy: f64,
-    delta_v: OfMovable,
+/// The warnings of an analysis.
+pub(crate) fn all_warnings(analysis: &Analysis, case: &Case) -> Vec<Value> {
+    list(&analysis.seen(case.axes).warnings, warning)
 }
 
 /// Quantities that are `null` instead of absent if they have no value but the second quantity has one: the
@@ -207,7 +120,7 @@ const CRASH3: [&str; 8] = [
 /// # Errors
 /// If serialisation fails, which no analysis causes.
 pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::Error> {
-    pretty(&identified(file, document(&file.case, analysis)?))
+    pretty(&identified(file, document(&file.case, analysis)))
 }
 
 /// The same for a case with more evidence than its exact solution uses: its headline weighs all of it.
@@ -219,18 +132,18 @@ pub fn weighed_json(
     analysis: &Analysis,
     weighed: &Weighed,
 ) -> Result<String, serde_json::Error> {
-    pretty(&identified(file, headed(&file.case, analysis, Some(weighed))?))
+    pretty(&identified(file, headed(&file.case, analysis, Some(weighed))))
 }
 
 /// The JSON document of an analysis.
-pub(crate) fn document(case: &Case, analysis: &Analysis) -> Result<Value, serde_json::Error> {
+pub(crate) fn document(case: &Case, analysis: &Analysis) -> Value {
     headed(case, analysis, None)
 }
 
-fn headed(case: &Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Result<Value, serde_json::Error> {
+fn headed(case: &Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Value {
     let seen = &analysis.seen(case.axes);
-    let mut document = serde_json::to_value(head(case, analysis, seen, weighed))?;
-    for (place, value) in others(case, seen)? {
+    let mut document = head(case, analysis, seen, weighed);
+    for (place, value) in others(case, seen) {
         put(&mut document, &place, value);
     }
     for quantity in QUANTITIES {
@@ -251,7 +164,7 @@ fn headed(case: &Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Result
             block.extend(entries);
         }
     }
-    Ok(document)
+    document
 }
 
 /// Puts a value at its place (RFC 6901), and creates the objects and lists that contain it. Missing elements
@@ -298,43 +211,54 @@ fn numbers(quantity: &OutputQuantity, seen: &Seen) -> Vec<(String, Value)> {
     }
 }
 
-fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&Weighed>) -> Head<'a> {
+/// The keys before the blocks of quantities.
+fn head(case: &Case, analysis: &Analysis, seen: &Seen, weighed: Option<&Weighed>) -> Value {
     let [of_answer, of_solution] = warnings::of_answer(seen, weighed, weighed.is_none());
-    let blocks = |warnings: Vec<SeenWarning>| warnings.iter().map(WarningBlock::new).collect();
-    Head {
-        title: title(case),
-        axes: case.axes.name(),
-        headline: HeadlineBlock::of(analysis, weighed),
-        solutions: SolutionBlock::all(weighed),
-        left_aside: seen.left_aside.clone(),
-        energy_basis: seen.basis.name(),
-        tangential_share: match seen.basis {
-            Basis::TangentialShare(share) => Some(share),
-            Basis::Dissipated | Basis::Absorbed => None,
-        },
-        warnings: blocks(of_answer),
-        solution_warnings: blocks(of_solution),
-        checks: seen
-            .checks
-            .iter()
-            .map(|check| CheckBlock {
-                code: check.code(),
-                vehicle: check.quantity.vehicle().map(VehicleId::number),
-                value: plain(check.value),
-                limit: check.limit,
-                passed: check.passed(),
-            })
-            .collect(),
-    }
+    let check = |check: &Check| {
+        optional(
+            ["vehicle"],
+            json!({
+                "code": check.code(),
+                "vehicle": check.quantity.vehicle().map(VehicleId::number),
+                "value": plain(check.value),
+                "limit": check.limit,
+                "passed": check.passed(),
+            }),
+        )
+    };
+    optional(
+        ["headline", "solutions", "left_aside", "tangential_share", "solution_warnings"],
+        json!({
+            "title": title(case),
+            // The axes of all signed values: `z-up` or `z-down`.
+            "axes": case.axes.name(),
+            // The answer of a reconstruction, and its method.
+            "headline": headline(analysis, weighed),
+            // If all the evidence was weighed: the answers by its parts, each taken as exact.
+            "solutions": list(weighed.into_iter().flat_map(|weighed| &weighed.solutions), solution),
+            // Keys of evidence that the numbers below do not use.
+            "left_aside": seen.left_aside,
+            "energy_basis": seen.basis.name(),
+            // λ, if the basis has one.
+            "tangential_share": match seen.basis {
+                Basis::TangentialShare(share) => Some(share),
+                Basis::Dissipated | Basis::Absorbed => None,
+            },
+            "warnings": list(&of_answer, warning),
+            // The warnings about the exact solution, if all the evidence was weighed.
+            "solution_warnings": list(&of_solution, warning),
+            "checks": list(&seen.checks, check),
+        }),
+    )
 }
 
 /// The values that are not numbers of a row, each with its place. The blocks get their order here.
-fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::Error> {
+fn others(case: &Case, seen: &Seen) -> Vec<(String, Value)> {
     let mut others = Vec::new();
     let mut add = |place: &str, value: Value| others.push((place.to_owned(), value));
     match (&seen.found, &seen.both) {
-        (Some(found), _) => add("/found", serde_json::to_value(one_found(seen, found))?),
-        (None, Some(both)) => add("/found", both_found(both)?),
+        (Some(found), _) => add("/found", one_found(seen, found)),
+        (None, Some(both)) => add("/found", both_found(both)),
         (None, None) => {}
     }
     if seen.both.is_some() {
@@ -353,30 +277,32 @@ fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::
         }
     }
     for id in VehicleId::ALL {
-        for (place, value) in of_vehicle(case, seen, id)? {
+        for (place, value) in of_vehicle(case, seen, id) {
             add(&format!("/vehicle{id}{place}"), value);
         }
     }
     if let Some(crash3) = &seen.crash3 {
-        let row = |row: &Correction| CorrectionBlock {
-            oblique: law::row_name(row),
-            friction: law::friction_limits(row).map(|limits| of_movable(case, limits)),
-            factor: row.factor,
-            crush_energy: row.crush_energy,
-            delta_v: of_movable(case, row.delta_v),
+        // CRASH3's answer under one correction for oblique forces.
+        let row = |row: &Correction| {
+            optional(
+                ["friction"],
+                json!({
+                    "oblique": law::row_name(row),
+                    // The friction limit of each vehicle, for the friction-limited correction.
+                    "friction": law::friction_limits(row).map(|limits| of_movable(case, limits)),
+                    "factor": row.factor,
+                    "crush_energy": row.crush_energy,
+                    "delta_v": of_movable(case, row.delta_v),
+                }),
+            )
         };
-        let rows: Vec<CorrectionBlock> = crash3.corrections.iter().map(row).collect();
-        add("/crash3/corrections", serde_json::to_value(rows)?);
+        add("/crash3/corrections", list(&crash3.corrections, row).into());
     }
-    Ok(others)
+    others
 }
 
 /// The values of a vehicle that are not numbers of a row, each with its place in the block.
-fn of_vehicle(
-    case: &Case,
-    seen: &Seen,
-    id: VehicleId,
-) -> Result<impl Iterator<Item = (&'static str, Value)>, serde_json::Error> {
+fn of_vehicle(case: &Case, seen: &Seen, id: VehicleId) -> impl Iterator<Item = (&'static str, Value)> {
     let (given, vehicle) = (&case.vehicles[id.index()], &seen.vehicles[id.index()]);
     let inferred = vehicle.damage.as_ref().and_then(|damage| damage.inferred);
     let travel = seen.travel[id.index()].as_ref();
@@ -395,9 +321,9 @@ fn of_vehicle(
         }),
         travel.map(|travel| ("/start/source", start_source(travel.origin).into())),
         travel.map(|travel| ("/path", travel.samples.iter().map(moment).collect())),
-        points.map(|points| Ok(("/points", serde_json::to_value(points)?))).transpose()?,
+        points.map(|points| ("/points", points.into())),
     ];
-    Ok(others.into_iter().flatten())
+    others.into_iter().flatten()
 }
 
 /// The source of the start of a path.
@@ -411,55 +337,47 @@ fn start_source(origin: TravelOrigin) -> &'static str {
 }
 
 /// The one speed that the crush energy gives.
-fn one_found(seen: &Seen, found: &Found) -> FoundBlock {
-    let has_share = matches!(seen.basis, Basis::TangentialShare(_));
-    FoundBlock {
-        quantity: words::unknown_name(found.unknown),
-        value: plain(found.speed),
-        admissible_roots: found.admissible.len(),
-        roots: found.admissible.iter().copied().map(plain).collect(),
-        method: if found.iterations.is_some() { "root finder" } else { "closed form" },
-        iterations: found
-            .iterations
-            .iter()
-            .flatten()
-            .map(|step| {
-                let work = Some(plain(step.normal_work));
-                IterationBlock {
-                    speed: plain(step.speed),
-                    normal_work: work.filter(|_| !has_share),
-                    crush_work: work.filter(|_| has_share),
-                }
-            })
-            .collect(),
-    }
+fn one_found(seen: &Seen, found: &Found) -> Value {
+    // W_n, or W_n + λ W_t if the basis is a share of the tangential work.
+    let work = if matches!(seen.basis, Basis::TangentialShare(_)) { "crush_work" } else { "normal_work" };
+    let steps = found.iterations.iter().flatten();
+    json!({
+        "quantity": words::unknown_name(found.unknown),
+        "value": plain(found.speed),
+        "admissible_roots": found.admissible.len(),
+        "roots": list(&found.admissible, |root| plain(*root)),
+        "method": if found.iterations.is_some() { "root finder" } else { "closed form" },
+        "iterations": list(steps, |step| json!({
+            "speed": plain(step.speed),
+            work: plain(step.normal_work),
+        })),
+    })
 }
 
 /// One speed, or a list of both: as `reconstruct.find` of the case.
-fn both_found(both: &BothFound) -> Result<Value, serde_json::Error> {
+fn both_found(both: &BothFound) -> Value {
     let of = |unknown: VehicleId| {
         let value = plain(both.speeds[unknown.index()]);
         let (method, roots) = match &both.method {
             BothMethod::Momentum => ("momentum", vec![value]),
             BothMethod::MomentumAndSpeed { .. } => ("momentum and known speed", vec![value]),
             BothMethod::Wall { .. } => ("restitution", vec![value]),
-            BothMethod::MomentumAndCrush { admissible, .. } => (
-                "momentum and crush energy",
-                admissible.iter().map(|speeds| plain(speeds[unknown.index()])).collect(),
-            ),
+            BothMethod::MomentumAndCrush { admissible, .. } => {
+                ("momentum and crush energy", list(admissible, |speeds| plain(speeds[unknown.index()])))
+            }
         };
-        FoundBlock {
-            quantity: words::unknown_name(unknown),
-            value,
-            admissible_roots: roots.len(),
-            roots,
-            method,
-            iterations: Vec::new(),
-        }
+        json!({
+            "quantity": words::unknown_name(unknown),
+            "value": value,
+            "admissible_roots": roots.len(),
+            "roots": roots,
+            "method": method,
+            "iterations": [],
+        })
     };
     match both.sought() {
-        Some(vehicle) => serde_json::to_value(of(vehicle)),
-        None => serde_json::to_value(VehicleId::ALL.map(of)),
+        Some(vehicle) => of(vehicle),
+        None => VehicleId::ALL.map(of).to_vec().into(),
     }
 }
 
@@ -498,19 +416,21 @@ fn moment(sample: &Sample) -> Value {
 }
 
 /// How a path passes the points of the case.
-fn points(travel: &Travel) -> Vec<PointBlock> {
-    let point = |(pass, point): (&Pass, &PointData)| PointBlock {
-        wheel: point.wheel.map(MarkedWheel::name),
-        miss: pass.miss,
-        turned: pass.turned.map(plain),
-    };
-    travel.passes.iter().zip(&travel.points).map(point).collect()
+fn points(travel: &Travel) -> Vec<Value> {
+    list(travel.passes.iter().zip(&travel.points), |(pass, point)| {
+        optional(
+            ["wheel", "turned"],
+            json!({
+                "wheel": point.wheel.map(MarkedWheel::name),
+                "miss": pass.miss,
+                "turned": pass.turned.map(plain),
+            }),
+        )
+    })
 }
 
-/// A value that only a vehicle that can move has: `None` for a fixed object.
-pub(crate) type OfMovable = [Option<f64>; 2];
-
-pub(crate) fn of_movable(case: &Case, values: [f64; 2]) -> OfMovable {
+/// Values that only a vehicle that can move has: `None` for a fixed object.
+pub(crate) fn of_movable(case: &Case, values: [f64; 2]) -> [Option<f64>; 2] {
     [0, 1].map(|i| (!case.vehicles[i].fixed).then_some(values[i]))
 }
 

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, LEVELS, Recorders, SpeedFigures};
+use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, Recorders, SpeedFigures};
 use serde_json::{Value, json};
 
-use super::field::prior;
+use super::field::{coverage, prior};
 use super::{list, pretty};
 
 /// (–) km/h in one m/s.
@@ -13,17 +13,13 @@ const KMH: f64 = 3.6;
 
 fn speed(figures: &SpeedFigures) -> Value {
     let kmh = |speed: Option<f64>| speed.map(|speed| KMH * speed);
-    let coverage = figures.coverage.map(|coverage| {
-        let shares = LEVELS.iter().zip(coverage);
-        shares.map(|(level, share)| (format!("{:.0}", 100.0 * level), share)).collect::<BTreeMap<_, _>>()
-    });
     let exact = figures.half_width_without.iter();
     let exact: BTreeMap<_, _> = exact.map(|(part, width)| (part.name(), KMH * width)).collect();
     json!({
         "n": figures.n,
         "bias": kmh(figures.bias),
         "rms": kmh(figures.rms),
-        "coverage": coverage,
+        "coverage": figures.coverage.map(coverage),
         "half_width": kmh(figures.half_width),
         "half_width_if_exact": exact,
     })
@@ -43,7 +39,7 @@ fn judged(judged: &JudgedRecord) -> Value {
     let [interval50, interval80, interval95] = judged.intervals.map(|ends| ends.map(|end| KMH * end));
     json!({
         "case": judged.case,
-        "vehicle": judged.vehicle.index() + 1,
+        "vehicle": judged.vehicle.number(),
         "recorder": KMH * judged.recorded,
         "median": KMH * judged.median,
         "interval50": interval50,
@@ -56,7 +52,7 @@ fn judged(judged: &JudgedRecord) -> Value {
 fn judged_delta_v(judged: &JudgedDeltaV) -> Value {
     json!({
         "case": judged.case,
-        "vehicle": judged.vehicle.index() + 1,
+        "vehicle": judged.vehicle.number(),
         "recorder": KMH * judged.truth.delta_v,
         "longitudinal": judged.truth.is_longitudinal,
         "common_velocity": KMH * judged.common,
@@ -83,7 +79,7 @@ pub fn judged_recorders_json(recorders: &Recorders) -> Result<String, serde_json
         "refused": list(&recorders.refused, |(case, reason)| json!({ "case": case, "reason": reason })),
         "doubted": list(&recorders.doubted, |record| json!({
             "case": record.case,
-            "vehicle": record.vehicle.index() + 1,
+            "vehicle": record.vehicle.number(),
             "reason": doubt(record),
         })),
         "judged": list(&recorders.speeds, judged),

@@ -1,62 +1,14 @@
 //! How sensitive the answer is to each input, as JSON.
 
-use analysis::Sensitivity;
+use analysis::{Derivative, Sensitivity, SweepRow};
 use case::{CaseFile, Origin, VehicleData};
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
-use serde::Serialize;
+use serde_json::json;
 
+use super::json::{all_warnings, of_movable};
+use super::{identified, list, optional, pretty, title};
 use crate::outputs::input_name;
-
-use super::json::{OfMovable, WarningBlock, of_movable};
-use super::{identified, pretty, title};
-
-#[derive(Serialize)]
-struct Document<'a> {
-    title: &'a str,
-    /// The axes of the inputs and of the turned directions.
-    axes: &'static str,
-    derivatives: Vec<DerivativeBlock<'a>>,
-    pdof_sweep: Vec<SweepBlock>,
-    /// Values in the file that would otherwise follow from the direction: kept in every row of the sweep.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pdof_sweep_held: Vec<String>,
-    /// The same, but turned with the direction.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pdof_sweep_turned: Vec<String>,
-    /// The warnings of the case itself.
-    warnings: Vec<WarningBlock>,
-}
-
-/// SI per SI.
-#[derive(Serialize)]
-struct DerivativeBlock<'a> {
-    output: String,
-    input: &'a str,
-    /// In words, if it is not a key of the file.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
-    value: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    relative: Option<f64>,
-    influence: f64,
-}
-
-/// SI and radians.
-#[derive(Serialize)]
-struct SweepBlock {
-    change: f64,
-    pdof: [Option<f64>; 2],
-    oblique_angle: [Option<f64>; 2],
-    moment_arm: OfMovable,
-    uncorrected_delta_v: OfMovable,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v: Option<OfMovable>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    capped_delta_v: Option<OfMovable>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    uncapped_delta_v: Option<OfMovable>,
-}
 
 /// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …,
 /// "value": …}], "pdof_sweep": [{"change": …, "delta_v": […]}]}`. Derivatives are SI per SI, `relative` is
@@ -70,39 +22,52 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
     let paths = |key: &str, vehicles: Vec<VehicleId>| -> Vec<String> {
         vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
     };
-    let document = Document {
-        pdof_sweep_held: paths("moment_arm", held_in_sweep(sensitivity)),
-        pdof_sweep_turned: paths("oblique_angle", turned_in_sweep(sensitivity)),
-        title: title(case),
-        axes: case.axes.name(),
-        warnings: WarningBlock::all(&sensitivity.nominal, case),
-        derivatives: sensitivity
-            .derivatives
-            .iter()
-            .map(|row| DerivativeBlock {
-                output: row.output.path(),
-                input: &row.input.path,
-                name: (row.input.origin != Origin::Given).then(|| input_name(&row.input)),
-                value: row.value + 0.0,
-                relative: row.relative().map(|relative| relative + 0.0),
-                influence: row.influence() + 0.0,
-            })
-            .collect(),
-        pdof_sweep: sensitivity
-            .pdof_sweep
-            .iter()
-            .map(|row| SweepBlock {
-                change: row.change + 0.0,
-                pdof: row.pdof,
-                oblique_angle: row.oblique_angle.map(|angle| angle.map(|angle| angle + 0.0)),
-                moment_arm: of_movable(case, row.crash3.moment_arm),
-                uncorrected_delta_v: of_movable(case, row.crash3.delta_v),
-                delta_v: row.crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
-                capped_delta_v: row.corrected(ObliqueCorrection::Capped).map(|dv| of_movable(case, dv)),
-                uncapped_delta_v: row.corrected(ObliqueCorrection::Uncapped).map(|dv| of_movable(case, dv)),
-            })
-            .collect(),
+    let derivative = |row: &Derivative| {
+        optional(
+            ["name", "relative"],
+            json!({
+                "output": row.output.path(),
+                "input": row.input.path,
+                // In words, if it is not a key of the file.
+                "name": (row.input.origin != Origin::Given).then(|| input_name(&row.input)),
+                "value": row.value + 0.0,
+                "relative": row.relative().map(|relative| relative + 0.0),
+                "influence": row.influence() + 0.0,
+            }),
+        )
     };
+    let turned = |row: &SweepRow| {
+        optional(
+            ["delta_v", "capped_delta_v", "uncapped_delta_v"],
+            json!({
+                "change": row.change + 0.0,
+                "pdof": row.pdof,
+                "oblique_angle": row.oblique_angle.map(|angle| angle.map(|angle| angle + 0.0)),
+                "moment_arm": of_movable(case, row.crash3.moment_arm),
+                "uncorrected_delta_v": of_movable(case, row.crash3.delta_v),
+                "delta_v": row.crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
+                "capped_delta_v": row.corrected(ObliqueCorrection::Capped).map(|dv| of_movable(case, dv)),
+                "uncapped_delta_v": row.corrected(ObliqueCorrection::Uncapped).map(|dv| of_movable(case, dv)),
+            }),
+        )
+    };
+    let document = optional(
+        ["pdof_sweep_held", "pdof_sweep_turned"],
+        json!({
+            "title": title(case),
+            // The axes of the inputs and of the turned directions.
+            "axes": case.axes.name(),
+            "derivatives": list(&sensitivity.derivatives, derivative),
+            "pdof_sweep": list(&sensitivity.pdof_sweep, turned),
+            // Values in the file that would otherwise follow from the direction: kept in every row of the
+            // sweep.
+            "pdof_sweep_held": paths("moment_arm", held_in_sweep(sensitivity)),
+            // The same, but turned with the direction.
+            "pdof_sweep_turned": paths("oblique_angle", turned_in_sweep(sensitivity)),
+            // The warnings of the case itself.
+            "warnings": all_warnings(&sensitivity.nominal, case),
+        }),
+    );
     pretty(&identified(file, document))
 }
 

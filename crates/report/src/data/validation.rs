@@ -1,83 +1,28 @@
 //! The comparison as JSON, in SI units and radians.
 
-use serde::Serialize;
 use serde_json::{Value, json};
 use validation::{
-    Cell, Claim, DeltaVRow, Erratum, ErrorRate, Method, Requirement, RestMethod, SHARES, SpeedEvidence,
-    TurnedPdof, Validation,
+    Cell, Claim, DeltaVRow, ErrorRate, Method, Requirement, RestMethod, SHARES, SpeedEvidence, TurnedPdof,
+    Validation,
 };
 
-use super::{list, pretty};
+use super::{list, optional, pretty};
 
 /// Either a tolerance or the reason of a known difference.
-#[derive(Serialize)]
-struct ClaimBlock<'a> {
-    reproduces: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tolerance: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    known_difference: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    erratum: Option<&'a Erratum>,
-}
-
-#[derive(Serialize)]
-struct Table1Block<'a> {
-    geometry: &'a str,
-    tests: &'a [u8],
-    method: &'static str,
-    ours: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    ours_implied: Option<f64>,
-    paper_rows: f64,
-    paper: f64,
-    claim: ClaimBlock<'a>,
-}
-
-#[derive(Serialize)]
-struct MotionBlock {
-    test: u8,
-    vehicle: u8,
-    drag: f64,
-    distance: Value,
-    distance_within: f64,
-    path: f64,
-    time: f64,
-    turn: Value,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rest_missed: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct ReturnBlock {
-    test: u8,
-    vehicle: u8,
-    drag: f64,
-    round_trip: Value,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    from_rest: Option<Value>,
-}
-
-#[derive(Serialize)]
-struct BothSpeedsBlock<'a> {
-    test: u8,
-    evidence: &'static str,
-    #[serde(rename = "true")]
-    true_speeds: [f64; 2],
-    found: [f64; 2],
-    error: [f64; 2],
-    impulse_disagreement: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    erratum: Option<&'a Erratum>,
-}
-
-fn claim(cell: &Cell) -> ClaimBlock<'_> {
+fn claim(cell: &Cell) -> Value {
     let (tolerance, known_difference) = match &cell.claim {
         Claim::Reproduces { tolerance } => (Some(*tolerance), None),
-        Claim::KnownDifference { reason } => (None, Some(reason.as_str())),
+        Claim::KnownDifference { reason } => (None, Some(reason)),
     };
-    let reproduces = cell.is_claimed().then(|| !cell.fails());
-    ClaimBlock { reproduces, tolerance, known_difference, erratum: cell.erratum.as_ref() }
+    optional(
+        ["tolerance", "known_difference", "erratum"],
+        json!({
+            "reproduces": cell.is_claimed().then(|| !cell.fails()),
+            "tolerance": tolerance,
+            "known_difference": known_difference,
+            "erratum": cell.erratum,
+        }),
+    )
 }
 
 fn claimed(cell: &Cell) -> Value {
@@ -132,19 +77,6 @@ fn row_name(row: DeltaVRow) -> &'static str {
 pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Error> {
     let speed = &validation.speed_errors;
     let both = &validation.both_speed_errors;
-    let table1 = list(&validation.table1, |line| Table1Block {
-        geometry: &line.geometry,
-        tests: &line.tests,
-        method: match line.method {
-            Method::Pim => "pim",
-            Method::Crash3 => "crash3",
-        },
-        ours: line.ours,
-        ours_implied: line.ours_implied,
-        paper_rows: line.paper_rows.ours,
-        paper: line.paper_rows.paper,
-        claim: claim(&line.paper_rows),
-    });
     let energies = validation.energies.iter().flat_map(|line| {
         [
             ("initial_energy", &line.initial),
@@ -155,40 +87,6 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
         .map(|(quantity, cell)| (line.test, quantity, cell))
     });
     let turn = |pdof: TurnedPdof| json!({ "turn": pdof.turn, "corrected_delta_v": pdof.delta_v });
-    let motion = list(&validation.motions, |line| MotionBlock {
-        test: line.test,
-        vehicle: line.vehicle.number(),
-        drag: line.drag,
-        distance: claimed(&line.distance),
-        distance_within: line.within,
-        path: line.path,
-        time: line.time,
-        turn: claimed(&line.turn),
-        rest_missed: line.miss,
-    });
-    let back_from_rest = list(&validation.returns, |line| ReturnBlock {
-        test: line.test,
-        vehicle: line.vehicle.number(),
-        drag: line.drag,
-        round_trip: claimed(&line.round_trip),
-        from_rest: line.from_rest.as_ref().map(|found| {
-            json!({
-                "speed": claimed(&found.speed),
-                "direction": claimed(&found.direction),
-                "yaw_rate": claimed(&found.yaw_rate),
-                "speed_of_turned_way": found.turned,
-            })
-        }),
-    });
-    let both_speeds = list(&validation.both_speeds, |line| BothSpeedsBlock {
-        test: line.test,
-        evidence: evidence(line.evidence),
-        true_speeds: line.true_speeds,
-        found: line.found,
-        error: errors(line.found, line.true_speeds),
-        impulse_disagreement: line.disagreement,
-        erratum: line.erratum.as_ref(),
-    });
     pretty(&json!({
         "claimed": validation.claimed(),
         "failed": list(validation.failures(), |(place, cell)| json!({
@@ -197,7 +95,19 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "paper": cell.paper,
         })),
         "requirements": list(&validation.requirements(), requirement),
-        "table1": table1,
+        "table1": list(&validation.table1, |line| optional(["ours_implied"], json!({
+            "geometry": line.geometry,
+            "tests": line.tests,
+            "method": match line.method {
+                Method::Pim => "pim",
+                Method::Crash3 => "crash3",
+            },
+            "ours": line.ours,
+            "ours_implied": line.ours_implied,
+            "paper_rows": line.paper_rows.ours,
+            "paper": line.paper_rows.paper,
+            "claim": claim(&line.paper_rows),
+        }))),
         "table2": list(&validation.table2, |line| json!({
             "test": line.test,
             "row": row_name(line.row),
@@ -269,14 +179,43 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "found": list(&validation.by_share, |row| row.found[i]),
             "relative_error": rate,
         })),
-        "motion": motion,
-        "back_from_rest": back_from_rest,
+        "motion": list(&validation.motions, |line| optional(["rest_missed"], json!({
+            "test": line.test,
+            "vehicle": line.vehicle.number(),
+            "drag": line.drag,
+            "distance": claimed(&line.distance),
+            "distance_within": line.within,
+            "path": line.path,
+            "time": line.time,
+            "turn": claimed(&line.turn),
+            "rest_missed": line.miss,
+        }))),
+        "back_from_rest": list(&validation.returns, |line| optional(["from_rest"], json!({
+            "test": line.test,
+            "vehicle": line.vehicle.number(),
+            "drag": line.drag,
+            "round_trip": claimed(&line.round_trip),
+            "from_rest": line.from_rest.as_ref().map(|found| json!({
+                "speed": claimed(&found.speed),
+                "direction": claimed(&found.direction),
+                "yaw_rate": claimed(&found.yaw_rate),
+                "speed_of_turned_way": found.turned,
+            })),
+        }))),
         // Shares of the path.
         "simulations": list(&validation.simulations, |other| json!({
             "name": other.name,
             "mean_errors": other.errors,
         })),
-        "both_speeds": both_speeds,
+        "both_speeds": list(&validation.both_speeds, |line| optional(["erratum"], json!({
+            "test": line.test,
+            "evidence": evidence(line.evidence),
+            "true": line.true_speeds,
+            "found": line.found,
+            "error": errors(line.found, line.true_speeds),
+            "impulse_disagreement": line.disagreement,
+            "erratum": line.erratum,
+        }))),
         "both_speeds_from_rest": list(&validation.from_rest, |line| json!({
             "test": line.test,
             "method": match line.method {

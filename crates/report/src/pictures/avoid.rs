@@ -4,7 +4,7 @@ use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, S
 use analysis::{AvoidRun, Avoidance, obstacle_name};
 use case::{AvoidBasis, Case, DemandForm, OtherParty, word};
 
-use super::scale_unit;
+use super::{axis, scale_unit};
 use crate::units::{Measure, Units, number};
 use crate::words::{run_words, title};
 
@@ -148,10 +148,6 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     };
     let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
         .map(|(measure, value)| units.format(measure, value));
-    let axis = |words: &str, measure| Axis {
-        title: format!("{words}, {}", units.name(measure)),
-        unit: units.size(measure),
-    };
     PathTimePicture {
         title: title(case),
         subtitle: format!("Distance and time of vehicle {} before the impact", found.vehicle),
@@ -159,8 +155,8 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
             "Distance against time. The reaction demand is {distance} and {time} before the impact. {}",
             found.runs.iter().map(|run| outcome(found, run, units)).collect::<Vec<_>>().join(" ")
         ),
-        time: axis("time since the reaction demand", Measure::Time),
-        way: axis("distance to the place of the impact", Measure::Way),
+        time: axis(units, "time since the reaction demand", Measure::Time),
+        way: axis(units, "distance to the place of the impact", Measure::Way),
         until,
         reach: [-scene.distance - beyond, highest],
         courses,
@@ -265,10 +261,7 @@ pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Op
             "The probability falls with the speed. At the limit of {} it is {limit}.",
             units.road_speed(scene.limit)
         ),
-        across: Axis {
-            title: format!("speed, {}", units.name(Measure::RoadSpeed)),
-            unit: units.size(Measure::RoadSpeed),
-        },
+        across: axis(units, "speed", Measure::RoadSpeed),
         decimals: 1,
         upward: Axis { title: "probability that it is avoided".to_owned(), unit: 1.0 },
         points: points.collect(),

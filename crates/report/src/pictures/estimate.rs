@@ -14,7 +14,7 @@ use super::{scale_unit, title};
 use crate::document::Undrawn;
 use crate::estimates::Asked;
 use crate::outputs::{label, pictured};
-use crate::units::{Measure, Units, number};
+use crate::units::{Measure, Units, grouped};
 
 /// Points of a curve, and places of a grid along each axis.
 const POINTS: usize = 240;
@@ -30,14 +30,9 @@ fn origin(case: &Case, estimated: &Estimated, asked: &Asked) -> String {
         "{}. deltav {}, {} draws, seed {}",
         title(case),
         env!("CARGO_PKG_VERSION"),
-        number_of(estimated.posterior.count()),
+        grouped(estimated.posterior.count()),
         asked.plan.seed
     )
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a count to print")]
-fn number_of(count: usize) -> String {
-    number(count as f64, 0)
 }
 
 /// The density of a result, before the evidence and after it. `None` if it does not vary, or if the run has
@@ -159,11 +154,6 @@ fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>
 }
 
 /// Both speeds at once. `None` if one of them is known, or if the run has not converged.
-#[must_use]
-pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
-    Some(joint_picture(case, estimated, asked, units)?.draw())
-}
-
 fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<JointPicture> {
     let outputs = VehicleId::ALL.map(|vehicle| SPEED.of_vehicle(vehicle));
     let [one, two] = outputs.map(|output| answer(estimated, output));
@@ -264,11 +254,6 @@ fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
 
 /// The rest positions of the vehicles in the draws, and the measured ones. `None` if none is followed, or if
 /// the run has not converged.
-#[must_use]
-pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
-    Some(rests_picture(case, estimated, asked, units)?.draw())
-}
-
 fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<RestsPicture> {
     let subjects = case.subjects();
     let vehicles = VehicleId::ALL.into_iter().filter_map(|vehicle| {

@@ -2,8 +2,8 @@
 //! over time.
 
 use ::drawing::{
-    Axis, Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint,
-    MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
+    Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint, MotionRest,
+    MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
 use analysis::{Analysis, Travel, TravelOrigin, Weighed};
 use case::{Axes, Case, PointData, RegionData, SkidBegin, SurfaceData};
@@ -12,7 +12,7 @@ use trajectory::State;
 
 use super::scene::scene_body;
 use super::vehicle::{Body, name_of};
-use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_caveat};
+use super::{DrawingError, PlainSpeed, Subject, axis, caveat, scale_unit, title, with_caveat};
 use crate::Units;
 use crate::units::{Measure, number};
 
@@ -295,16 +295,12 @@ pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<C
     }
     let states = analysis.travel.each_ref().map(|travel| travel.as_ref().map_or_else(Vec::new, dense));
     let last = states.iter().flatten().map(|(time, ..)| *time).fold(0.0, f64::max);
-    let axis = |label: &str, measure: Measure| Axis {
-        title: format!("{label}, {}", units.name(measure)),
-        unit: units.size(measure),
-    };
     let panel = |label: &str, measure: Measure, of: &dyn Fn(&State) -> f64| {
-        let across = axis("time since the impact", Measure::Time);
+        let across = axis(units, "time since the impact", Measure::Time);
         Curves {
             ends: Some([0.0, if last > 0.0 { last } else { across.unit }]),
             across,
-            upward: axis(label, measure),
+            upward: axis(units, label, measure),
             curves: states
                 .each_ref()
                 .map(|states| states.iter().map(|(time, state, _)| [*time, of(state)]).collect()),

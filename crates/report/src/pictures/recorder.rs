@@ -6,15 +6,13 @@ use case::{Case, Recorder};
 use pim_core::VehicleId;
 use recorder::PulseRule;
 
+use super::axis;
 use crate::units::{Measure, Units};
 use crate::words;
 
-fn axis(title: &str, unit: &str, size: f64) -> Axis {
-    Axis { title: format!("{title}, {unit}"), unit: size }
-}
-
-fn of(measure: Measure, title: &str, units: Units) -> Axis {
-    axis(title, units.name(measure), units.size(measure))
+/// (s) before the impact.
+fn time_before() -> Axis {
+    Axis { title: "time before the impact, s".to_owned(), unit: 1.0 }
 }
 
 fn panel(across: Axis, upward: Axis, curves: [Vec<[f64; 2]>; 2], marks: Vec<f64>) -> Curves {
@@ -54,16 +52,19 @@ pub(crate) fn curves(
         let over_time = |of: fn(&recorder::PreCrashSample) -> Option<f64>| -> Vec<[f64; 2]> {
             record.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
         };
-        let time = || axis("time before the impact", "s", 1.0);
         let mut add = |across: Axis, upward: Axis, curve: Vec<[f64; 2]>| {
             if curve.len() > 1 {
                 panels.push(panel(across, upward, [curve, Vec::new()], Vec::new()));
             }
         };
-        add(time(), of(Measure::RoadSpeed, "speed", units), over_time(|one| one.speed));
+        add(time_before(), axis(units, "speed", Measure::RoadSpeed), over_time(|one| one.speed));
         let brake = over_time(|one| one.brake.map(|on| if on { 1.0 } else { 0.0 }));
-        add(time(), axis("service brake", "1 on, 0 off", 1.0), Curves::steps(&brake));
-        add(time(), of(Measure::Angle, "steering wheel", units), over_time(|one| one.steering));
+        add(
+            time_before(),
+            Axis { title: "service brake, 1 on, 0 off".to_owned(), unit: 1.0 },
+            Curves::steps(&brake),
+        );
+        add(time_before(), axis(units, "steering wheel", Measure::Angle), over_time(|one| one.steering));
         let over_distance: Vec<[f64; 2]> = found
             .distances
             .iter()
@@ -72,8 +73,8 @@ pub(crate) fn curves(
                 Some([-bounds.between, sample.speed?])
             })
             .collect();
-        let across = of(Measure::Length, "distance before the last sample", units);
-        add(across, of(Measure::RoadSpeed, "speed", units), over_distance);
+        let across = axis(units, "distance before the last sample", Measure::Length);
+        add(across, axis(units, "speed", Measure::RoadSpeed), over_distance);
     }
     let pulse = recorder.during_impact();
     if let Some(pulse) = pulse {
@@ -82,8 +83,8 @@ pub(crate) fn curves(
         };
         let marks = found.spans.iter().find(|span| span.rule == PulseRule::CHANGE);
         panels.push(panel(
-            axis("time", "ms", 1e-3),
-            of(Measure::RoadSpeed, "ΔV", units),
+            Axis { title: "time, ms".to_owned(), unit: 1e-3 },
+            axis(units, "ΔV", Measure::RoadSpeed),
             [part(|one| one.longitudinal), part(|one| one.lateral)],
             marks.map(|span| vec![span.start, span.end]).unwrap_or_default(),
         ));
@@ -108,8 +109,8 @@ pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Opti
             found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
         (path.len() > 1).then_some(path)
     };
-    let across = axis("time before the impact", "s", 1.0);
-    let upward = of(Measure::Length, "distance to the last sample", units);
+    let across = time_before();
+    let upward = axis(units, "distance to the last sample", Measure::Length);
     let paths = [path(VehicleId::One)?, path(VehicleId::Two)?];
     Some(picture(
         case,

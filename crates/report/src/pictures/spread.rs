@@ -7,7 +7,7 @@ use case::{Case, Origin};
 
 use super::title;
 use crate::outputs::{input_name, label, pictured};
-use crate::units::{Units, number, significant};
+use crate::units::{Units, grouped, number, significant};
 
 /// Maximum number of bars of a tornado, the longest.
 const BARS: usize = 20;
@@ -27,15 +27,9 @@ fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
         title(case),
         env!("CARGO_PKG_VERSION"),
         settings.method.name(),
-        number_of(uncertainty.propagation.evaluated()),
+        grouped(uncertainty.propagation.evaluated()),
         settings.seed
     )
-}
-
-/// A count with commas.
-#[expect(clippy::cast_precision_loss, reason = "a count to print")]
-fn number_of(count: usize) -> String {
-    number(count as f64, 0)
 }
 
 /// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` if the
@@ -62,7 +56,7 @@ pub(crate) fn histogram_picture(
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
     let shares: Vec<f64> =
         counts.iter().map(|&count| 100.0 * count as f64 / summary.samples as f64).collect();
-    let samples = format!("the middle 99 % of {} samples", number_of(summary.samples));
+    let samples = format!("the middle 99 % of {} samples", grouped(summary.samples));
     let most = shares.iter().copied().fold(0.0, f64::max);
     let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
     let [_, _, ninety_five, _] = summary.intervals;

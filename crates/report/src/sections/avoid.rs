@@ -13,14 +13,13 @@ use pim_core::VehicleId;
 use reconcile::COLLINEAR;
 use time_distance::Swell;
 
-use super::uncertainty::grouped;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{contradictions, median_and_interval};
 use crate::outputs::input_name;
 use crate::pictures;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
-use crate::units::{Measure, Units, number};
+use crate::units::{Measure, Units, grouped, number};
 use crate::warnings::message;
 use crate::words::{quoted, run_words};
 
@@ -227,7 +226,6 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Time, lead)
         )
     });
-    let beaten = beaten_by_marks(found, units);
     let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
         format!(
             "The case says how the vehicle moved only from {} after the reaction demand on. For the time before, the answer assumes the \
@@ -246,10 +244,9 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
             found.vehicle.other()
         )
     });
-    let of_speed = of_speed(found, units);
-    let ours = hard.into_iter().chain(early).chain(begins).chain(along).chain(of_other).chain(of_recorder);
-    let ours = ours.chain(of_stood).chain(beaten);
-    ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
+    let ours = [hard, early, begins, along, of_other, of_recorder, of_stood];
+    let ours = ours.into_iter().flatten().chain(beaten_by_marks(found, units));
+    ours.chain(of_speed(found, units)).chain(contradictions(found.pieces())).collect()
 }
 
 /// What a place of the impact that moves does to an answer for a fixed one.
@@ -442,9 +439,9 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     let mut table = Table::new(
         "Inputs",
         [
-            Column::words("", Width::Fixed(if names_phases { 34 } else { 25 })),
-            Column::words("value", Width::Fixed(14)),
-            Column::words("range", Width::Fixed(24)),
+            Column::words("", if names_phases { 34 } else { 25 }),
+            Column::words("value", 14),
+            Column::words("range", 24),
             Column::words("source", Width::Share),
         ],
     );
@@ -523,7 +520,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         }
     }
     if let Some(clears) = by_outlines {
-        table.notes.push(format!(
+        table.note(format!(
             "From the impact, the other vehicle goes {}{} until its outline has left the strip that vehicle {} sweeps, each \
              straight along its heading.",
             units.format(Measure::Way, clears.distance),
@@ -533,7 +530,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     }
     if goes_on {
         let speed = found.scene.clears.map(|clears| clears.distance / clears.after);
-        table.notes.push(match (&given.demand, speed) {
+        table.note(match (&given.demand, speed) {
             (Some(GivenDemand::Other(_)), _) | (_, None) => "The other party moves on as it came.".to_owned(),
             (_, Some(speed)) => format!(
                 "The other party moves on with the speed of its vehicle at the impact, {}.",
@@ -542,17 +539,17 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         });
     }
     if given.swell.is_none() {
-        table.notes.push("The build-up time of the brakes is 0, as the case gives none.".to_owned());
+        table.note("The build-up time of the brakes is 0, as the case gives none.");
     }
     if given.speed.is_none() {
-        table.notes.push(format!(
+        table.note(format!(
             "The speed at the impact, {}, is not an input of [avoid].",
             units.road_speed(found.scene.at_impact)
         ));
     }
     let missing = analysis::without_source(given);
     if !missing.is_empty() {
-        table.notes.push(format!(
+        table.note(format!(
             "Without a source: {}. An input without an origin is worth little before a court.",
             missing.join(", ")
         ));
@@ -633,11 +630,7 @@ fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
 fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     let mut table = Table::new(
         "Sight",
-        [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers("", Width::Fixed(14)),
-            Column::numbers("95 % interval", Width::Fixed(20)),
-        ],
+        [Column::words("", 44), Column::numbers("", 14), Column::numbers("95 % interval", 20)],
     );
     let intervals = found.chance.as_ref().and_then(|chance| chance.sight.as_ref());
     let mut row = |label: String, measure, value: f64, interval: Option<&AvoidInterval>| {
@@ -663,7 +656,7 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     );
     table.notes.extend(hidden(case, found.hiding.as_ref(), units));
     if let Some(share) = intervals.map(|of| of.never_hidden).filter(|share| *share > 0.0) {
-        table.notes.push(format!(
+        table.note(format!(
             "In {} of the samples, the obstacles hide nothing in the {SIGHT_LOOK_BACK} s before the impact; the intervals are those of the \
              others.",
             number(share, 3)
@@ -853,10 +846,10 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
     let mut table = Table::new(
         "Each alone and together",
         [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers(format!("speed at the {}", place(found)), Width::Fixed(20))
+            Column::words("", 44),
+            Column::numbers(format!("speed at the {}", place(found)), 20)
                 .unit(units.name(Measure::RoadSpeed)),
-            Column::words("avoided", Width::Fixed(18)),
+            Column::words("avoided", 18),
         ],
     );
     for (hypothesis, label) in [
@@ -999,10 +992,10 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let mut table = Table::new(
         "Speeds that just avoid it",
         [
-            Column::words("", Width::Fixed(44)),
-            Column::numbers("speed", Width::Fixed(14)).unit(units.name(Measure::RoadSpeed)),
-            Column::numbers("95 % interval", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
-            Column::words(if above { "at the limit" } else { "as driven" }, Width::Fixed(18)),
+            Column::words("", 44),
+            Column::numbers("speed", 14).unit(units.name(Measure::RoadSpeed)),
+            Column::numbers("95 % interval", 20).unit(units.name(Measure::RoadSpeed)),
+            Column::words(if above { "at the limit" } else { "as driven" }, 18),
         ],
     );
     let chance = found.chance.as_ref();
@@ -1040,10 +1033,9 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
         "",
     );
     if scene.temporal().is_none() {
-        table.notes.push(
+        table.note(
             "Whether it was avoidable in time is not asked, as the case has no `clear`: it presupposes that the other party certainly moved \
-             and would not have stopped."
-                .to_owned(),
+             and would not have stopped.",
         );
     }
     table
@@ -1110,11 +1102,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
 fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let mut table = Table::new(
         "Probability",
-        [
-            Column::words("", Width::Fixed(60)),
-            Column::numbers("", Width::Fixed(12)),
-            Column::words("", Width::Share),
-        ],
+        [Column::words("", 60), Column::numbers("", 12), Column::words("", Width::Share)],
     );
     let mut row = |label: &str, value: f64, error: String| {
         table.row([label.to_owned(), in_decimals(value), error]);
@@ -1130,7 +1118,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     row(stopped, chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
-    table.notes.push(format!(
+    table.note(format!(
         "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit. With all else \
          kept, it is that of Davis 2003. ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
         grouped(chance.possible),
@@ -1140,7 +1128,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
         units.format(Measure::Time, chance.time.high),
     ));
     if chance.possible < chance.samples {
-        table.notes.push(format!(
+        table.note(format!(
             "{} more samples do not count, because they describe no possible scene: the brakes took hold before the demand, for example, or \
              the vehicle did not catch up with the other.",
             grouped(chance.samples - chance.possible)
@@ -1150,19 +1138,16 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
 }
 
 fn influences(chance: &AvoidChance) -> Table {
-    let mut table = Table::new(
-        "What moves it most",
-        [Column::words("", Width::Fixed(56)), Column::numbers("difference", Width::Fixed(12))],
-    );
+    let mut table =
+        Table::new("What moves it most", [Column::words("", 56), Column::numbers("difference", 12)]);
     for influence in &chance.influences {
         let name =
             influence.input.as_ref().map_or_else(|| "the speed, by the evidence".to_owned(), input_name);
         table.row([name, number(influence.difference, 3)]);
     }
-    table.notes.push(
+    table.note(
         "The probability that it is avoided at the limit, among the samples in which the number is above its median, less that among the \
-         others."
-            .to_owned(),
+         others.",
     );
     table
 }

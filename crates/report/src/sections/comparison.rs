@@ -3,11 +3,12 @@
 use analysis::quantities::{
     DELTA_V, FINAL_YAW_RATE, IMPACT_ENERGY_LOSS, IMPACT_NORMAL_WORK, IMPACT_TANGENTIAL_WORK, PDOF,
 };
-use analysis::{Comparison, OutputQuantity};
+use analysis::{ByEvidence, Comparison, EvidenceAnswer, OutputQuantity};
 use case::Case;
 
-use crate::data::comparison::{EvidenceBlock, EvidenceRow, Row, evidence, rows};
-use crate::document::{Block, Column, Document, NONE, Table, Width};
+use super::chosen::or_none;
+use crate::data::comparison::{Row, evidence_words, rows};
+use crate::document::{Block, Column, Document, Table, Width};
 use crate::units::{Measure, Units, number};
 use crate::{axes, warnings};
 
@@ -31,7 +32,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     let mut page = Document::of_case(case);
 
     if let Some(by) = &comparison.evidence {
-        by_evidence(&mut page, &evidence(by, units), units);
+        by_evidence(&mut page, by, units);
     }
     if case.impact.is_none() {
         page.paragraph("The file has no [impact], so there are no impact laws to compare.".to_owned());
@@ -127,36 +128,33 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
 }
 
 /// The answers by damage, by momentum and by both, each with its method or why it has none.
-fn by_evidence(page: &mut Document, by: &EvidenceBlock, units: Units) {
-    let columns: [(&str, &EvidenceRow); 3] = [
-        ("damage only", &by.damage),
-        ("momentum only", &by.momentum),
-        ("momentum and damage", &by.momentum_and_damage),
-    ];
+fn by_evidence(page: &mut Document, by: &ByEvidence, units: Units) {
+    let columns =
+        [("damage only", &by.damage), ("momentum only", &by.momentum), ("momentum and damage", &by.together)];
     let mut table = Table::new(
         "By evidence",
-        std::iter::once(Column::words("", Width::Fixed(SAID)))
+        std::iter::once(Column::words("", SAID))
             .chain(columns.map(|(name, _)| Column::words(name, Width::Share)))
             .collect::<Vec<_>>(),
     );
-    let mut row = |label: &str, value: &dyn Fn(&EvidenceRow) -> Option<String>| {
-        let cells = columns.map(|(_, said)| value(said).unwrap_or_else(|| NONE.to_owned()));
+    let mut row = |label: &str, value: &dyn Fn(Option<&EvidenceAnswer>) -> Option<String>| {
+        let cells = columns.map(|(_, answer)| or_none(value(answer.as_ref().ok())));
         table.cells(std::iter::once(label.to_owned()).chain(cells));
     };
     for i in [0, 1] {
-        row(&format!("speed of vehicle {}", i + 1), &|said| said.speeds.map(|v| units.speed(v[i])));
+        row(&format!("speed of vehicle {}", i + 1), &|answer| Some(units.speed(answer?.speeds?[i])));
     }
     for i in [0, 1] {
-        row(&format!("ΔV of vehicle {}", i + 1), &|said| said.delta_v.map(|dv| units.speed(dv[i])));
+        row(&format!("ΔV of vehicle {}", i + 1), &|answer| Some(units.speed(answer?.delta_v[i])));
     }
     let energy = |si: f64| units.format(Measure::Energy, si);
-    row("closing speed −u_n", &|said| said.closing_speed.map(|speed| units.speed(speed)));
-    row("crush energy needed", &|said| said.crush_energy_needed.map(energy));
+    row("closing speed −u_n", &|answer| Some(units.speed(answer?.closing_speed?)));
+    row("crush energy needed", &|answer| Some(energy(answer?.crush_energy?)));
     row("crush energy measured", &|_| by.crush_energy.map(energy));
-    row("energy loss E_L", &|said| said.energy_loss.map(energy));
+    row("energy loss E_L", &|answer| Some(energy(answer?.energy_loss?)));
     page.push(table);
-    let says = |said: &EvidenceRow| if said.error.is_empty() { &said.how } else { &said.error }.clone();
-    page.push(Block::Entries(columns.map(|(name, said)| (name.to_owned(), says(said))).to_vec()));
+    let said = columns.map(|(name, answer)| (name.to_owned(), evidence_words(answer, units)));
+    page.push(Block::Entries(said.to_vec()));
 }
 
 fn coefficients(row: &Row) -> String {
@@ -184,8 +182,7 @@ fn table(
     let law = Column::words("law", Width::Fit(NAME));
     let mut table = Table::new("", std::iter::once(law).chain(numbers).collect::<Vec<_>>());
     for (law, values) in rows {
-        let values = values.into_iter().map(|value| value.unwrap_or_else(|| NONE.to_owned()));
-        table.cells(std::iter::once(law.to_owned()).chain(values));
+        table.cells(std::iter::once(law.to_owned()).chain(values.into_iter().map(or_none)));
     }
     table
 }

@@ -11,7 +11,7 @@ use case::{Axes, Case, SeverityPrior};
 use evidence::TestedClass;
 use pim_core::VehicleId;
 
-use super::uncertainty::{MOST_DECIMALS, decimals_of, grouped, short};
+use super::uncertainty::{MOST_DECIMALS, decimals_of, short};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
     Asked, EIGHTY, HALF, NINETY, Question, WIDEST, contradictions, crush_words, doubt_words, ends, error,
@@ -19,7 +19,7 @@ use crate::estimates::{
 };
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
-use crate::units::{Measure, Units, number, significant};
+use crate::units::{Measure, Units, grouped, number, significant};
 use crate::warnings::{block, message, notice};
 use crate::words::quoted;
 use crate::writers::wrap::folded;
@@ -328,13 +328,13 @@ impl<'a> Page<'a> {
 
     fn results(&mut self) {
         let mut columns = vec![
-            Column::words("", Width::Fixed(34)),
-            Column::numbers("median", Width::Fixed(END + 1)),
-            Column::numbers("95 %", Width::Fixed(END)),
-            Column::numbers("", Width::Fixed(END)),
-            Column::numbers("before", Width::Fixed(END + 3)),
-            Column::numbers("95 %", Width::Fixed(END)),
-            Column::numbers("", Width::Fixed(END)),
+            Column::words("", 34),
+            Column::numbers("median", END + 1),
+            Column::numbers("95 %", END),
+            Column::numbers("", END),
+            Column::numbers("before", END + 3),
+            Column::numbers("95 %", END),
+            Column::numbers("", END),
         ];
         for (column, unit) in columns.iter_mut().zip(["", "", "from", "to", "median", "from", "to"]) {
             unit.clone_into(&mut column.unit);
@@ -361,10 +361,10 @@ impl<'a> Page<'a> {
     }
 
     fn intervals(&mut self) {
-        let mut columns = vec![Column::words("", Width::Fixed(34))];
+        let mut columns = vec![Column::words("", 34)];
         for level in ["50 %", "80 %", "90 %"] {
-            columns.push(Column::numbers(level, Width::Fixed(END + 1)).unit("from"));
-            columns.push(Column::numbers("", Width::Fixed(END)).unit("to"));
+            columns.push(Column::numbers(level, END + 1).unit("from"));
+            columns.push(Column::numbers("", END).unit("to"));
         }
         let mut table = Table::new("Narrower intervals", columns);
         for output in &self.estimated.outputs {
@@ -387,15 +387,15 @@ impl<'a> Page<'a> {
         let varies = |id: &VehicleId| self.find(SPEED.of_vehicle(*id)).is_some_and(EstimatedOutput::varies);
         let sought: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(varies).collect();
         let is_judged = pieces.iter().any(|piece| piece.alone.is_some() || piece.without.is_some());
-        let mut columns = vec![Column::words("", Width::Fixed(30))];
+        let mut columns = vec![Column::words("", 30)];
         if is_judged {
             for what in ["alone", "without it"] {
                 for vehicle in &sought {
-                    columns.push(Column::numbers(what, Width::Fixed(14)).unit(format!("{vehicle}, {unit}")));
+                    columns.push(Column::numbers(what, 14).unit(format!("{vehicle}, {unit}")));
                 }
             }
         }
-        columns.push(Column::numbers("p-value", Width::Fixed(12)));
+        columns.push(Column::numbers("p-value", 12));
         let mut table = Table::new("Evidence", columns);
         for (piece, agreement) in pieces.iter().zip(Agreement::of_all(pieces)) {
             let mut cells = vec![format!("{}\n  {}", piece_name(piece.piece), piece.key)];
@@ -443,11 +443,7 @@ impl<'a> Page<'a> {
         let observed = &self.estimated.observed;
         let mut table = Table::new(
             "Errors of the evidence",
-            [
-                Column::words("", Width::Fixed(30)),
-                Column::words("", Width::Share),
-                Column::words("from", Width::Fixed(12)),
-            ],
+            [Column::words("", 30), Column::words("", Width::Share), Column::words("from", 12)],
         );
         for piece in &self.estimated.pieces {
             let Some(words) = error(piece.piece, observed, self.units) else { continue };
@@ -464,7 +460,7 @@ impl<'a> Page<'a> {
         }
         let defaults = &self.estimated.default_errors;
         if !defaults.is_empty() {
-            table.notes.push(format!(
+            table.note(format!(
                 "Errors that the case does not give, taken by default: {}.",
                 quoted(defaults, ", ")
             ));
@@ -481,11 +477,7 @@ impl<'a> Page<'a> {
         }
         let mut table = Table::new(
             "Given but not used",
-            [
-                Column::words("", Width::Fixed(24)),
-                Column::words("why", Width::Fixed(40)),
-                Column::words("write instead", Width::Share),
-            ],
+            [Column::words("", 24), Column::words("why", 40), Column::words("write instead", Width::Share)],
         );
         for given in &self.estimated.unused {
             let [_, why, instead] = unused(given.reason);
@@ -500,8 +492,8 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             "Assumed",
             [
-                Column::words("", Width::Fixed(34)),
-                Column::words("before the evidence", Width::Fixed(32)),
+                Column::words("", 34),
+                Column::words("before the evidence", 32),
                 Column::words("source", Width::Share),
             ],
         );
@@ -615,10 +607,10 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             "Unknown numbers",
             [
-                Column::words("", Width::Fixed(42)),
-                Column::numbers("before: 95 %", Width::Fixed(20)),
-                Column::numbers("median", Width::Fixed(10)),
-                Column::numbers("95 %", Width::Fixed(20)),
+                Column::words("", 42),
+                Column::numbers("before: 95 %", 20),
+                Column::numbers("median", 10),
+                Column::numbers("95 %", 20),
             ],
         );
         for unknown in self.estimated.unknown.iter().filter(|unknown| !is_hidden(unknown)) {

@@ -106,7 +106,7 @@ pub(super) fn push_years(document: &mut Document, years: &[FieldYear]) {
 
 fn tables_read(years: &[FieldYear]) -> Table {
     let columns = [
-        Column::words("NHTSA's tables", Width::Fixed(32)),
+        Column::words("NHTSA's tables", 32),
         Column::numbers("rows", Width::Fit(8)),
         Column::words("file", Width::Share),
     ];
@@ -122,7 +122,7 @@ fn tables_read(years: &[FieldYear]) -> Table {
 
 fn candidates(years: &[FieldYear], is_of_objects: bool) -> Table {
     let what = if is_of_objects { "Vehicles that struck an object" } else { "Pairs of vehicles" };
-    let columns = [Column::words(what, Width::Fixed(58)), Column::numbers("number", Width::Fit(8))];
+    let columns = [Column::words(what, 58), Column::numbers("number", Width::Fit(8))];
     let mut table = Table::new("", columns);
     let found: usize = years.iter().map(|year| year.crashes.rows.len()).sum();
     table.row(["in the table that is judged".to_owned(), found.to_string()]);
@@ -137,10 +137,8 @@ pub(super) fn percent([value, error]: [f64; 2]) -> String {
 }
 
 fn coverage(field: &Field) -> Table {
-    let mut columns = vec![
-        Column::words("Recorders inside the intervals", Width::Fixed(32)),
-        Column::numbers("vehicles", Width::Fit(8)),
-    ];
+    let mut columns =
+        vec![Column::words("Recorders inside the intervals", 32), Column::numbers("vehicles", Width::Fit(8))];
     columns.extend(
         LEVELS.map(|level| {
             Column::numbers(format!("{} %", number(100.0 * level, 0)), Width::Fit(11)).unit("%")
@@ -176,7 +174,7 @@ fn errors(field: &Field) -> Table {
 /// The columns of figures against recorders, the first of which has a name and a width.
 pub(super) fn figure_columns(name: &str, width: usize) -> Vec<Column> {
     vec![
-        Column::words(name, Width::Fixed(width)),
+        Column::words(name, width),
         Column::numbers("vehicles", Width::Fit(8)),
         Column::numbers("bias of ln", Width::Fit(16)),
         Column::numbers("rms of ln", Width::Fit(16)),
@@ -198,7 +196,7 @@ fn tenths(field: &Field) -> Table {
     let mut table = Table::new(
         "",
         [
-            Column::words("Share expected below recorder", Width::Fixed(32)),
+            Column::words("Share expected below recorder", 32),
             Column::numbers("vehicles", Width::Fit(8)),
             Column::bars("", Width::Share),
         ],
@@ -210,8 +208,6 @@ fn tenths(field: &Field) -> Table {
             table.row([format!("{} to {} %", 10 * tenth, 10 * (tenth + 1)), count.to_string(), bar]);
         }
     }
-    table
-        .notes
-        .push("If the intervals are right as often as they say, all bars are about equally long.".to_owned());
+    table.note("If the intervals are right as often as they say, all bars are about equally long.");
     table
 }

@@ -100,7 +100,7 @@ pub fn handover(
     }
     if let Some(validation) = validation {
         page.heading(ERROR_RATE);
-        page.blocks.extend(error_rate(analysis, validation, units).into_iter().map(Block::Paragraph));
+        error_rate(&mut page, analysis, validation, units);
     }
     let drawings = drawings(file, analysis, site_plan, units)?;
     if !drawings.is_empty() {
@@ -108,13 +108,13 @@ pub fn handover(
     }
     page.blocks.extend(drawings.into_iter().map(|drawing| Block::Drawing(Box::new(drawing))));
     page.heading("Method");
-    page.blocks.extend(method(analysis, case.axes, units).into_iter().map(Block::Paragraph));
+    method(&mut page, analysis, case.axes, units);
     page.heading("Inputs");
     page.paragraph(
         "Every number of the case file in its own unit and in the SI unit that the program uses; what the \
          file gives in words; and what the program assumes where the file gives nothing.",
     );
-    page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
+    page.tables(inputs::tables(file, analysis, units));
     page.heading("Results step by step");
     let system = match units {
         Units::Si | Units::Uk => "Numbers are in SI units and degrees",
@@ -404,29 +404,25 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
 const LEAD: f64 = 0.95;
 
 /// The error rate of the program by the comparison with staged collisions, for this analysis.
-fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec<String> {
-    let is_found = analysis.found.is_some() || analysis.both.is_some();
-    let of_speeds = (!is_found).then(|| {
-        "This report reconstructs no speed; the error rate below is that of speeds which the program \
-         reconstructs from damage."
-            .to_owned()
-    });
-    let headline = if analysis.both.is_some() {
+fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation, units: Units) {
+    if analysis.found.is_none() && analysis.both.is_none() {
+        page.paragraph(
+            "This report reconstructs no speed; the error rate below is that of speeds which the program \
+             reconstructs from damage.",
+        );
+    }
+    page.paragraph(if analysis.both.is_some() {
         super::validation::both_speeds_headline(validation, units)
     } else {
         super::validation::validation_headline(validation, units)
-    };
-    let own = of_speeds.into_iter().chain([
-        headline,
+    });
+    page.paragraph(
         "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
-         SAE 871993 and SAE 980025. Intervals of a report do not contain this error."
-            .to_owned(),
-    ]);
-    own.collect()
+         SAE 871993 and SAE 980025. Intervals of a report do not contain this error.",
+    );
 }
 
-fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
-    let mut paragraphs = Vec::new();
+fn method(page: &mut Document, analysis: &Analysis, axes: Axes, units: Units) {
     if let Some(found) = &analysis.found {
         let (agreement, basis) = match analysis.basis {
             Basis::Dissipated => (
@@ -452,7 +448,7 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
                  answer is the one with which the vehicles move least relative to each other"
             ),
         };
-        paragraphs.push(format!(
+        page.paragraph(format!(
             "{} Planar impact mechanics gives {} for any speed of vehicle {}. The speed at which that work {agreement} was \
              found {way}; {roots}. {basis}",
             energy_sources(analysis),
@@ -461,36 +457,32 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
         ));
     } else if let Some(both) = &analysis.both {
         let seen = analysis.seen(axes);
-        paragraphs.push(motion::how(both, &seen, units));
-        paragraphs.push(motion::method(&seen, units));
+        page.paragraph(motion::how(both, &seen, units));
+        page.paragraph(motion::method(&seen, units));
     } else if analysis.impact.is_some() {
-        paragraphs.push(
+        page.paragraph(
             "Planar impact mechanics gives the motion after the impact from that before it: one condition along the normal of the crush plane and one along \
-             the plane determine the impulse, and the impulse determines all the rest."
-                .to_owned(),
+             the plane determine the impulse, and the impulse determines all the rest.",
         );
     } else if analysis.travel.iter().any(Option::is_some) {
-        paragraphs.push(motion::method(&analysis.seen(axes), units));
+        page.paragraph(motion::method(&analysis.seen(axes), units));
     } else if analysis.crash3.is_some() {
-        paragraphs.push(
+        page.paragraph(
             "The CRASH3 algorithm gives the crush energy from damage and stiffness, and the velocity changes from the energy of both vehicles and the principal \
-             direction of force."
-                .to_owned(),
+             direction of force.",
         );
     } else {
-        paragraphs.push(
-            "The crush energy follows from the damage, and the EES from the crush energy and the mass."
-                .to_owned(),
+        page.paragraph(
+            "The crush energy follows from the damage, and the EES from the crush energy and the mass.",
         );
     }
-    paragraphs.push(format!(
+    page.paragraph(format!(
         "The method is that of R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998). Eq n names \
          equation n of that paper, with its misprints corrected; theory n is section n of docs/theory.md, \
          which derives the equations and lists the misprints. \
          {}; n points from vehicle 2 to vehicle 1, t is n turned by +90°.",
         axes::conventions(axes)
     ));
-    paragraphs
 }
 
 /// A table with a column for each vehicle: it names no equations, which are in the steps.

@@ -4,8 +4,9 @@
 use analysis::{Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
 
+use super::chosen::or_none;
 use crate::checks;
-use crate::document::{Block, Column, Document, NONE, Row, Table, Width};
+use crate::document::{Block, Column, Document, Row, Table};
 use crate::estimates::Asked;
 use crate::units::{Measure, Units, number};
 use crate::words;
@@ -128,26 +129,20 @@ fn refuted(analysis: &Seen, units: Units) -> Vec<String> {
 
 fn columns() -> Vec<Column> {
     let speeds = ["speed 1", "speed 2", "ΔV 1", "ΔV 2"];
-    std::iter::once(Column::words("", Width::Fixed(NAME)))
-        .chain(speeds.map(|name| Column::numbers(name, Width::Fixed(SPEED))))
-        .collect()
+    std::iter::once(Column::words("", NAME)).chain(speeds.map(|name| Column::numbers(name, SPEED))).collect()
 }
 
 /// The exact solution of an analysis, if nothing else was solved.
 fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution", columns());
-    let speeds =
-        VehicleId::ALL.map(|id| if analysis.moves(id) { speed(analysis.speed(id)) } else { NONE.to_owned() });
-    let delta_v = analysis
-        .both
-        .as_ref()
-        .map(|both| both.delta_v)
-        .or_else(|| analysis.impact.as_ref().map(|impact| impact.outcome.delta_v_magnitude()));
-    let changes = VehicleId::ALL.map(|id| match delta_v {
-        Some(changes) if analysis.moves(id) => speed(changes[id.index()]),
-        _ => NONE.to_owned(),
-    });
+    let of_moving = |of: &dyn Fn(VehicleId) -> Option<f64>| {
+        VehicleId::ALL.map(|id| or_none(of(id).filter(|_| analysis.moves(id)).map(speed)))
+    };
+    let speeds = of_moving(&|id| Some(analysis.speed(id)));
+    let delta_v = analysis.both.as_ref().map(|both| both.delta_v);
+    let delta_v = delta_v.or_else(|| Some(analysis.impact.as_ref()?.outcome.delta_v_magnitude()));
+    let changes = of_moving(&|id| Some(delta_v?[id.index()]));
     table.cells([words::solution(why.solved_by).to_owned()].into_iter().chain(speeds).chain(changes));
     table
 }
@@ -156,8 +151,7 @@ fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
 fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
     let mut table = Table::new("Exact solutions, each by a part of the evidence", columns());
     for solution in &weighed.solutions {
-        let cell =
-            |si: Option<f64>| si.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::RoadSpeed, si));
+        let cell = |si: Option<f64>| or_none(si.map(|si| units.format(Measure::RoadSpeed, si)));
         let name = words::solution(solution.by).to_owned();
         let figures = solution.speeds.into_iter().chain(solution.delta_v).map(cell);
         table.cells(std::iter::once(name).chain(figures));

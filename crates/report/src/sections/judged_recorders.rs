@@ -29,7 +29,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
     let kmh = |speed: Option<f64>| speed.map_or(NONE.to_owned(), |speed| number(3.6 * speed, 1));
     if let Some([half, eighty, most]) = speeds.coverage {
         let columns = vec![
-            Column::words("", Width::Fixed(26)),
+            Column::words("", 26),
             Column::numbers("vehicles", Width::Fit(8)),
             Column::numbers("bias", Width::Fit(8)).unit("km/h"),
             Column::numbers("rms", Width::Fit(8)).unit("km/h"),
@@ -57,7 +57,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
     }
     if delta_vs.n > 0 {
         let columns = vec![
-            Column::words("", Width::Fixed(38)),
+            Column::words("", 38),
             Column::numbers("vehicles", Width::Fit(8)),
             Column::numbers("bias of ln", Width::Fit(10)),
             Column::numbers("rms of ln", Width::Fit(10)),

@@ -89,7 +89,7 @@ fn problems(file: &CaseFile, faults: &Faults) -> Vec<Row> {
 }
 
 fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
-    let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
+    let columns = [Column::words("", KEY + 2), Column::words("", Width::Share)];
     let mut table = Table::new("Commands", columns);
     for Ability { purpose, on, obstacle, left_aside } in &judgement.abilities {
         let drawn = if *purpose == Purpose::Draw { drawn(&file.case, judgement) } else { Vec::new() };

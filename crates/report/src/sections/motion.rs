@@ -198,7 +198,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
     if both.is_by_crush() {
         note.push_str(" The tables of the impact follow from the same speeds by the impact law of the case.");
     }
-    of_vehicles.notes.push(note);
+    of_vehicles.note(note);
     [whole, of_vehicles].into_iter().chain(combinations(both, units)).collect()
 }
 
@@ -222,7 +222,7 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     ] {
         chosen.pair(&mut of_vehicles, row);
     }
-    of_vehicles.notes.push(format!(
+    of_vehicles.note(format!(
         "The impact law of the case, applied to the speeds found. By the law the impact loses {}, by \
          momentum {}. No result depends on this check: the more the two differ, the less the law or its \
          coefficients fit this collision.",
@@ -263,10 +263,9 @@ fn combinations(both: &BothFound, units: Units) -> Option<Table> {
             if against.is_empty() { "nothing".to_owned() } else { against.join("; ") },
         ]);
     }
-    table.notes.push(
+    table.note(
         "The weight follows from how well yaw rates, restitution, impulse ratio and crush energy agree with the \
-         impulse, within usual errors (theory 10)."
-            .to_owned(),
+         impulse, within usual errors (theory 10).",
     );
     Some(table)
 }

@@ -8,6 +8,7 @@ use recorder::{
     RecorderTable, SpeedErrorSource, force_direction,
 };
 
+use super::chosen::or_none;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::pictures::recorder as pictures;
 use crate::units::{Measure, Units, number};
@@ -152,14 +153,13 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let mut table = Table::new(
         WHICH,
         [
-            Column::words("record", Width::Fixed(7)),
-            Column::numbers("after the last", Width::Fixed(15)).unit("s"),
-            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
-            Column::numbers("PDOF", Width::Fixed(6)).unit("°"),
+            Column::words("record", 7),
+            Column::numbers("after the last", 15).unit("s"),
+            Column::numbers("ΔV", 9).unit(unit),
+            Column::numbers("PDOF", 6).unit("°"),
             Column::words("", Width::Share),
         ],
     );
-    let or_none = |shown: Option<String>| shown.unwrap_or_else(|| NONE.to_owned());
     let degrees = |direction: f64| number(direction.to_degrees(), 0);
     for one in in_order(found) {
         let OfImpact { number: place, since_previous, event, .. } = one.of_impact;
@@ -177,7 +177,7 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let size = delta_v.map(|si| format!("a ΔV of {}", units.format(Measure::RoadSpeed, si)));
     let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
-    table.notes.push(if known.is_empty() {
+    table.note(if known.is_empty() {
         "The case tells neither the ΔV nor the direction of its impact: give `pdof`, or `[impact]` with the headings and contact points of \
          both vehicles; for the ΔV, the crush of both."
             .to_owned()
@@ -237,11 +237,11 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
             NONE.to_owned(),
         ]);
     }
-    rows.notes.push(format!("{}: {}.", from(source), table.layout.name()));
+    rows.note(format!("{}: {}.", from(source), table.layout.name()));
     for LeftTable { headings, reason } in &table.left {
         let headings: Vec<String> =
             headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
-        rows.notes.push(format!("Not read: {}, as {reason}.", headings.join(", ")));
+        rows.note(format!("Not read: {}, as {reason}.", headings.join(", ")));
     }
     page.push(rows);
     if table.counted_down {
@@ -356,10 +356,7 @@ fn steep(page: &mut Document, found: &VehicleReading) {
 fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     let (speed, length) = (units.name(Measure::RoadSpeed), units.name(Measure::Length));
     let samples = record.samples();
-    let mut columns = vec![
-        Column::numbers("time", Width::Fixed(7)).unit("s"),
-        Column::numbers("speed", Width::Fixed(8)).unit(speed),
-    ];
+    let mut columns = vec![Column::numbers("time", 7).unit("s"), Column::numbers("speed", 8).unit(speed)];
     // Columns that the record does not have are omitted.
     let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
     let shown = [
@@ -369,14 +366,14 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
         has(|one| one.steering.is_some()),
     ];
     let optional = [
-        Column::words("brake", Width::Fixed(7)),
-        Column::words("ABS", Width::Fixed(5)),
-        Column::numbers("pedal", Width::Fixed(7)).unit("%"),
-        Column::numbers("steering", Width::Fixed(10)).unit("°"),
+        Column::words("brake", 7),
+        Column::words("ABS", 5),
+        Column::numbers("pedal", 7).unit("%"),
+        Column::numbers("steering", 10).unit("°"),
     ];
     columns.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(column, _)| column));
     for name in ["at least", "right", "between", "left", "at most"] {
-        columns.push(Column::numbers(name, Width::Fixed(10)).unit(length));
+        columns.push(Column::numbers(name, 10).unit(length));
     }
     let mut table = Table::new("Samples", columns);
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
@@ -415,9 +412,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         "Speed at impact",
         [
             Column::words("", Width::Fit(44)),
-            Column::numbers("changes it by", Width::Fixed(15)).unit(unit),
-            Column::numbers("sd", Width::Fixed(9)).unit(unit),
-            Column::numbers("of the variance", Width::Fixed(17)).unit("%"),
+            Column::numbers("changes it by", 15).unit(unit),
+            Column::numbers("sd", 9).unit(unit),
+            Column::numbers("of the variance", 17).unit("%"),
         ],
     );
     let whole: f64 = speed.parts.iter().map(|part| part.variance).sum();
@@ -455,7 +452,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let errors = &found.errors;
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
-    table.notes.push(format!(
+    table.note(format!(
         "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
          against GPS), and between them by the deceleration before the last sample, less the braking of the \
          engine where the brake is off. Tyres: ± {} %.",
@@ -466,7 +463,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         kmh(errors.slip_sd),
         percent(errors.tyre_sd),
     ));
-    table.notes.push(format!(
+    table.note(format!(
         "From the last speed to the impact: any deceleration up to {} g with the brake on, within ± {} g \
          with it off. {} A stored \
          speed is up to {} s old. Each is a key of `errors`.",
@@ -476,7 +473,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         number(errors.latency, 2),
     ));
     if speed.parts.iter().any(|part| part.source == SpeedErrorSource::LastSample) {
-        table.notes.push("The stored speed may be that of the impact itself: see below.".to_owned());
+        table.note("The stored speed may be that of the impact itself: see below.");
     }
     table
 }
@@ -509,17 +506,17 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
         return;
     }
     let unit = units.name(Measure::RoadSpeed);
-    let delta_v = |name: &str| Column::numbers(name, Width::Fixed(14)).unit(unit);
+    let delta_v = |name: &str| Column::numbers(name, 14).unit(unit);
     let mut table = Table::new(
         "Pulse",
         [
             Column::words("by", Width::Fit(28)),
-            Column::numbers("from", Width::Fixed(7)).unit("ms"),
-            Column::numbers("to", Width::Fixed(7)).unit("ms"),
+            Column::numbers("from", 7).unit("ms"),
+            Column::numbers("to", 7).unit("ms"),
             delta_v("longitudinal"),
             delta_v("lateral"),
-            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
-            Column::numbers("PDOF", Width::Fixed(7)).unit("°"),
+            Column::numbers("ΔV", 9).unit(unit),
+            Column::numbers("PDOF", 7).unit("°"),
             Column::words("", Width::Fit(12)),
         ],
     );
@@ -547,11 +544,10 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             .to_owned(),
         ]);
     }
-    table.notes.push(
+    table.note(
         "ISO/TR 12353-3 determines the beginning and the end by methods A, B and C. These rules are that of 49 CFR 563.5 and \
          UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), a mean acceleration above 2 g in 20 ms, and the greatest ΔV of the record. \
-         Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front."
-            .to_owned(),
+         Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front.",
     );
     page.push(table);
     remarks(page, found);

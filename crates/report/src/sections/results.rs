@@ -61,11 +61,12 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if analysis.found.is_none() && analysis.both.is_none() && analysis.impact.is_none() {
         page.rests(analysis);
     }
-    // Many read no further than the first screen.
     if headline.is_exact() {
+        // Many read no further than the first screen.
         page.document.blocks.extend(warnings::notice(&of_case, None));
+        // Any other headline names the evidence that the figures do not use.
+        page.document.blocks.extend(warnings::left_aside(&analysis.left_aside, analysis.can_be_weighed));
     }
-    page.left_aside(analysis);
     page.inputs(case, analysis);
     page.document.tables(motion::momentum(analysis, units));
     if let Some(exchange) = analysis.exchange() {
@@ -79,7 +80,7 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if let Some(crash3) = &analysis.crash3 {
         page.crash3(case, analysis, crash3);
     }
-    page.checks(analysis);
+    page.document.tables(checks::table(analysis, units));
     if !of_solution.is_empty() {
         page.document.heading("What speaks against the exact solution");
         page.document.push(warnings::block(&of_solution, units));
@@ -87,7 +88,11 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if headline.is_exact() || !of_case.is_empty() {
         page.document.push(warnings::block(&of_case, units));
     }
-    page.sources();
+    page.document.paragraph(format!(
+        "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), with its misprints corrected; \
+         theory n is section n of docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
+        axes::conventions(case.axes)
+    ));
     page.document
 }
 
@@ -110,13 +115,6 @@ impl Page<'_> {
             self.document.push(Block::Answer { found, how });
         } else {
             self.document.paragraph(format!("{}. {how}", found.join("; ")));
-        }
-    }
-
-    /// The evidence that a forward analysis does not use. For a reconstruction, the headline names it.
-    fn left_aside(&mut self, analysis: &Seen) {
-        if self.headline.is_exact() {
-            self.document.blocks.extend(warnings::left_aside(&analysis.left_aside, analysis.can_be_weighed));
         }
     }
 
@@ -348,7 +346,7 @@ impl Page<'_> {
                         .iter()
                         .map(|zone| of(zone).map_or_else(|| "–".to_owned(), |si| units.format(quantity, si)))
                         .collect();
-                    table.notes.push(format!("{label} by zone, vehicle {id}: {}", values.join(", ")));
+                    table.note(format!("{label} by zone, vehicle {id}: {}", values.join(", ")));
                 }
             }
         }
@@ -499,7 +497,7 @@ impl Page<'_> {
                 Some(both) if !both.is_by_crush() => "that of momentum",
                 _ => "that of the impact",
             };
-            table.notes.push(format!(
+            table.note(format!(
                 "The ΔV of this reconstruction is {of}, above. CRASH3's formulas are for comparison."
             ));
         }
@@ -535,27 +533,13 @@ impl Page<'_> {
             table.pair(&label, speeds(row.delta_v, 1.0), "theory 5");
         }
         for [first, second] in crash3.corrections.iter().filter_map(law::friction_limits) {
-            table.notes.push(if first == second {
+            table.note(if first == second {
                 format!("The friction limit μ is {first}.")
             } else {
                 format!("The friction limit μ is {first} for vehicle 1 and {second} for vehicle 2.")
             });
         }
         self.document.push(table);
-    }
-
-    fn checks(&mut self, analysis: &Seen) {
-        if let Some(table) = checks::table(analysis, self.units) {
-            self.document.push(table);
-        }
-    }
-
-    fn sources(&mut self) {
-        self.document.paragraph(format!(
-            "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), with its misprints corrected; \
-             theory n is section n of docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
-            axes::conventions(self.axes)
-        ));
     }
 }
 

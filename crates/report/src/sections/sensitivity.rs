@@ -7,7 +7,7 @@ use pim_core::VehicleId;
 
 use super::chosen::or_none;
 use crate::data::sensitivity::{held_in_sweep, turned_in_sweep};
-use crate::document::{Column, Document, Table, Width};
+use crate::document::{Column, Document, Table};
 use crate::outputs::{input_name, output_name, output_quantity};
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
@@ -65,11 +65,11 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
     let mut table = Table::new(
         format!("{}, {value}", output_name(first.output)),
         [
-            Column::words("", Width::Fixed(34)),
-            Column::words("", Width::Fixed(16)),
-            Column::numbers("change per unit", Width::Fixed(28)),
-            Column::numbers("% per %", Width::Fixed(10)),
-            Column::numbers("influence", Width::Fixed(10)),
+            Column::words("", 34),
+            Column::words("", 16),
+            Column::numbers("change per unit", 28),
+            Column::numbers("% per %", 10),
+            Column::numbers("influence", 10),
         ],
     );
     let largest = group.iter().map(size).fold(0.0, f64::max);
@@ -93,21 +93,21 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
     }
     let without: Vec<String> = without.iter().map(|row| input_name(&row.input)).collect();
     if !without.is_empty() {
-        table.notes.push(format!("no influence: {}", without.join(", ")));
+        table.note(format!("no influence: {}", without.join(", ")));
     }
     table
 }
 
 fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
     let speed = units.name(Measure::RoadSpeed);
-    let delta_v = |name: &str| Column::numbers(name, Width::Fixed(12)).unit(speed);
+    let delta_v = |name: &str| Column::numbers(name, 12).unit(speed);
     let mut table = Table::new(
         "PDOF sweep, CRASH3",
         [
-            Column::words("", Width::Fixed(22)).unit("change, °"),
-            Column::numbers("PDOF 1", Width::Fixed(9)).unit("°"),
-            Column::numbers("PDOF 2", Width::Fixed(9)).unit("°"),
-            Column::numbers("ΔV", Width::Fixed(10)).unit("vehicle"),
+            Column::words("", 22).unit("change, °"),
+            Column::numbers("PDOF 1", 9).unit("°"),
+            Column::numbers("PDOF 2", 9).unit("°"),
+            Column::numbers("ΔV", 10).unit("vehicle"),
             delta_v("uncorrected"),
             delta_v("corrected"),
             delta_v("capped"),

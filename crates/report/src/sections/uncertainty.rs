@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use ::drawing::Drawing;
 use ::uncertainty::{Bar, Classes, End, Estimate, FIRST_ORDER_LIMIT, Index, SamplingMethod, Shape, Summary};
 use analysis::quantities::{DELTA_V, PDOF, SPEED};
 use analysis::{
@@ -21,7 +20,7 @@ use crate::outputs::{
 };
 use crate::pictures;
 use crate::understood::amount;
-use crate::units::{Measure, Units, number, significant};
+use crate::units::{Measure, Units, grouped, number, significant};
 use crate::warnings;
 use crate::words;
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
@@ -219,13 +218,13 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             "Results",
             [
-                Column::words("", Width::Fixed(30)),
-                Column::numbers("central", Width::Fixed(11)),
-                Column::numbers("mean", Width::Fixed(11)),
-                Column::numbers("median", Width::Fixed(11)),
-                Column::numbers("std. dev.", Width::Fixed(12)),
-                Column::numbers("first order", Width::Fixed(13)),
-                Column::numbers("differs", Width::Fixed(10)),
+                Column::words("", 30),
+                Column::numbers("central", 11),
+                Column::numbers("mean", 11),
+                Column::numbers("median", 11),
+                Column::numbers("std. dev.", 12),
+                Column::numbers("first order", 13),
+                Column::numbers("differs", 10),
             ],
         );
         let none = || NONE.to_owned();
@@ -289,10 +288,10 @@ impl<'a> Page<'a> {
     }
 
     fn intervals(&mut self) {
-        let mut columns = vec![Column::words("", Width::Fixed(25))];
+        let mut columns = vec![Column::words("", 25)];
         for level in ["50 %", "90 %", "95 %", "99 %"] {
-            columns.push(Column::numbers("", Width::Fixed(END + 1)));
-            columns.push(Column::numbers(level, Width::Fixed(END + 1)));
+            columns.push(Column::numbers("", END + 1));
+            columns.push(Column::numbers(level, END + 1));
         }
         let mut table = Table::new("Intervals", columns);
         for (output, summary) in self.rows() {
@@ -348,11 +347,7 @@ impl<'a> Page<'a> {
         let title = self.label(output, alone);
         let mut table = Table::new(
             title,
-            [
-                Column::words("", Width::Fixed(25)),
-                Column::numbers("", Width::Fixed(10)),
-                Column::bars("", Width::Share),
-            ],
+            [Column::words("", 25), Column::numbers("", 10), Column::bars("", Width::Share)],
         );
         for (class, &count) in (0_u32..).zip(&histogram.counts) {
             let low = histogram.low + f64::from(class) * histogram.width;
@@ -362,9 +357,13 @@ impl<'a> Page<'a> {
             table.row([format!("{from:>11} – {to}"), share, bar(count, most)]);
         }
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
-        table.notes.push(format!("{below} % lie below and {above} % above."));
+        table.note(format!("{below} % lie below and {above} % above."));
         match pictures::histogram_picture(self.case, self.uncertainty, 0, self.units) {
-            Some(picture) => self.chart("histogram-0".to_owned(), move || picture.draw(), Some(table)),
+            Some(picture) => self.document.push(Block::Chart {
+                name: "histogram-0".to_owned(),
+                drawing: Undrawn::new(move || picture.draw()),
+                instead: Some(table),
+            }),
             None => self.document.push(table),
         }
     }
@@ -384,18 +383,9 @@ impl<'a> Page<'a> {
                 && let Some(picture) =
                     pictures::histogram_picture(self.case, self.uncertainty, place, self.units)
             {
-                self.chart(format!("histogram-{place}"), move || picture.draw(), None);
+                self.document.chart(format!("histogram-{place}"), move || picture.draw());
             }
         }
-    }
-
-    fn chart(
-        &mut self,
-        name: String,
-        draw: impl Fn() -> Drawing + Send + Sync + 'static,
-        instead: Option<Table>,
-    ) {
-        self.document.push(Block::Chart { name, drawing: Undrawn::new(draw), instead });
     }
 
     fn tornado(&mut self, place: usize) {
@@ -405,7 +395,7 @@ impl<'a> Page<'a> {
             return;
         }
         if let Some(picture) = pictures::tornado_picture(self.case, self.uncertainty, place, self.units) {
-            self.chart(format!("tornado-{place}"), move || picture.draw(), None);
+            self.document.chart(format!("tornado-{place}"), move || picture.draw());
         }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = pictured(output.output);
@@ -419,11 +409,11 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             title,
             [
-                Column::words("", Width::Fixed(36)),
-                Column::numbers(format!("low, {unit}"), Width::Fixed(10)),
-                Column::numbers("high", Width::Fixed(10)),
-                Column::bars("", Width::Fixed(2 * SIDE + 3)),
-                Column::numbers("first order", Width::Fixed(11)),
+                Column::words("", 36),
+                Column::numbers(format!("low, {unit}"), 10),
+                Column::numbers("high", 10),
+                Column::bars("", 2 * SIDE + 3),
+                Column::numbers("first order", 11),
             ],
         );
         for bar in bars.iter().take(BARS) {
@@ -444,7 +434,7 @@ impl<'a> Page<'a> {
         let rest = bars.len().saturating_sub(BARS);
         if let Some(next) = bars.get(BARS).and_then(|bar| bar.swing(place)) {
             let next = self.units.format(alone, next.abs());
-            table.notes.push(format!("{rest} more, each with an effect of at most {next}"));
+            table.note(format!("{rest} more, each with an effect of at most {next}"));
         }
         self.document.push(table);
         self.document.paragraph(
@@ -466,11 +456,11 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             title,
             [
-                Column::words("", Width::Fixed(36)),
-                Column::numbers("first", Width::Fixed(10)),
-                Column::numbers("95 %", Width::Fixed(20)),
-                Column::numbers("total", Width::Fixed(10)),
-                Column::numbers("95 %", Width::Fixed(20)),
+                Column::words("", 36),
+                Column::numbers("first", 10),
+                Column::numbers("95 %", 20),
+                Column::numbers("total", 10),
+                Column::numbers("95 %", 20),
             ],
         );
         let mut ranked: Vec<_> = self.uncertainty.inputs.iter().zip(all).collect();
@@ -501,9 +491,9 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             "Ranges",
             [
-                Column::words("", Width::Fixed(36)),
-                Column::numbers("central value", Width::Fixed(24)),
-                Column::words("", Width::Fixed(2)),
+                Column::words("", 36),
+                Column::numbers("central value", 24),
+                Column::words("", 2),
                 Column::words("distribution", Width::Share),
             ],
         );
@@ -610,8 +600,8 @@ impl<'a> Page<'a> {
         let mut table = Table::new(
             "Taken as exact",
             [
-                Column::words("", Width::Fixed(34)),
-                Column::words("value", Width::Fixed(26)),
+                Column::words("", 34),
+                Column::words("value", 26),
                 Column::words("how well it is usually known", Width::Share),
             ],
         );
@@ -712,12 +702,6 @@ fn share(count: usize, of: usize) -> String {
     #[expect(clippy::cast_precision_loss, reason = "a share for people")]
     let share = 100.0 * count as f64 / of as f64;
     number(share, 1)
-}
-
-pub(super) fn grouped(count: usize) -> String {
-    #[expect(clippy::cast_precision_loss, reason = "counts are below 2^53")]
-    let count = count as f64;
-    number(count, 0)
 }
 
 fn counted(count: usize, noun: &str) -> String {

@@ -12,7 +12,7 @@ use pim_core::VehicleId;
 
 use super::{StepGroup, group};
 
-pub(super) use self::energy::work;
+pub(super) use self::energy::{kinetic, work};
 pub(super) use self::motion::relative;
 
 /// The data that most steps share.

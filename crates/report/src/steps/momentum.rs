@@ -2,9 +2,9 @@
 
 use analysis::{BothFound, BothMethod, ClosedForm, Exchange, Seen, Travel};
 use case::{Axes, Basis, Case, STANDARD_GRAVITY};
-use pim_core::{Motion, Real, Vector2, VehicleId};
+use pim_core::{Real, Vector2, VehicleId};
 
-use super::collision::{relative, work};
+use super::collision::{kinetic, relative, work};
 use super::damage::share;
 use super::{Step, StepGroup, angle, course, given, group, heading, n, p, step};
 
@@ -351,30 +351,18 @@ impl Momentum<'_> {
 
     /// The kinetic energies, their difference, and the part of it that neither work explains.
     fn energy(&self, effect: &Exchange) -> Vec<Step> {
-        let moving = self.moving();
-        let bodies = self.both.momentum.contact.participants();
-        let turns = effect.at_contact.is_some();
-        let kinetic = |name: &str, symbol: &str, [v, w]: [&str; 2], motions: &[Motion; 2], value: f64| {
-            let term = |k: &VehicleId| {
-                let (motion, body) = (motions[k.index()], bodies[k.index()].body());
-                let (x, y) = (p(motion.velocity.x, "m/s"), p(motion.velocity.y, "m/s"));
-                let mut formula = format!("½ m_{k} ({v}_{k}x² + {v}_{k}y²)");
-                let mut numbers = format!("½ · {} · ({x}² + {y}²)", n(body.mass(), "kg"));
-                if turns {
-                    formula.push_str(&format!(" + ½ I_{k} {w}_{k}²"));
-                    let inertia = n(body.yaw_inertia(), "kg·m²");
-                    numbers.push_str(&format!(" + ½ · {inertia} · {}²", p(motion.yaw_rate, "rad/s")));
-                }
-                (formula, numbers)
-            };
-            let (formula, numbers): (Vec<String>, Vec<String>) = moving.iter().map(term).unzip();
-            step(name, symbol, formula.join(" + "), numbers.join(" + "), value, "J", "theory 4")
+        let has_yaw = effect.at_contact.is_some();
+        let of = |k: VehicleId| {
+            let body = self.both.momentum.contact.participants()[k.index()].body();
+            (k, body.mass(), has_yaw.then(|| body.yaw_inertia()))
         };
+        let moving: Vec<_> = self.moving().into_iter().map(of).collect();
         let energy = effect.energy;
-        let after = &self.both.implied.after;
+        let motions = [&effect.before, &self.both.implied.after];
+        let [before, after] = kinetic(&moving, motions, [energy.before, energy.after]);
         let mut steps = vec![
-            kinetic("kinetic energy before", "T", ["v", "ω"], &effect.before, energy.before),
-            kinetic("kinetic energy after", "T'", ["V", "Ω"], after, energy.after),
+            before,
+            after,
             step(
                 "energy loss by momentum",
                 "E_L",

@@ -1,7 +1,7 @@
 //! The works of the impact and the energy loss.
 
 use case::Basis;
-use pim_core::Motion;
+use pim_core::{Motion, VehicleId};
 
 use super::super::{Step, n, p, step};
 use super::Collision;
@@ -11,9 +11,12 @@ impl Collision<'_> {
         let outcome = &self.impact.outcome;
         let energy = outcome.energy;
         let (impulse, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
+        let moving: Vec<_> = self.moving().map(|(k, mass, inertia)| (k, mass, Some(inertia))).collect();
+        let [before, after] =
+            kinetic(&moving, [&outcome.before, &outcome.after], [energy.before, energy.after]);
         let mut steps = vec![
-            self.kinetic("kinetic energy before", "T", ["v", "ω"], &outcome.before, energy.before),
-            self.kinetic("kinetic energy after", "T'", ["V", "Ω"], &outcome.after, energy.after),
+            before,
+            after,
             work("normal work", "n", [impulse.normal, u.normal, v.normal], energy.normal_work),
             work(
                 "tangential work",
@@ -47,31 +50,6 @@ impl Collision<'_> {
             "J",
             "theory 6",
         ))
-    }
-
-    fn kinetic(
-        &self,
-        name: &str,
-        symbol: &str,
-        [v, w]: [&str; 2],
-        motions: &[Motion; 2],
-        value: f64,
-    ) -> Step {
-        let (formula, numbers) = self.sum(
-            &|i| format!("½ m_{i} ({v}_{i}x² + {v}_{i}y²) + ½ I_{i} {w}_{i}²"),
-            &|i, m, inertia| {
-                let motion = motions[i.index()];
-                format!(
-                    "½ · {} · ({}² + {}²) + ½ · {} · {}²",
-                    n(m, "kg"),
-                    p(motion.velocity.x, "m/s"),
-                    p(motion.velocity.y, "m/s"),
-                    n(inertia, "kg·m²"),
-                    p(motion.yaw_rate, "rad/s")
-                )
-            },
-        );
-        step(name, symbol, formula, numbers, value, "J", "theory 4")
     }
 
     fn moment_work(&self) -> Step {
@@ -126,6 +104,34 @@ impl Collision<'_> {
             ),
         ]
     }
+}
+
+/// The kinetic energies before and after the impact, from the mass (kg) and the yaw inertia (kg·m²) of each
+/// vehicle that can move; a point mass has no yaw inertia.
+pub(in super::super) fn kinetic(
+    moving: &[(VehicleId, f64, Option<f64>)],
+    [before, after]: [&[Motion; 2]; 2],
+    values: [f64; 2],
+) -> [Step; 2] {
+    let of = |name: &str, symbol: &str, [v, w]: [&str; 2], motions: &[Motion; 2], value: f64| {
+        let term = |&(k, mass, yaw_inertia): &(VehicleId, f64, Option<f64>)| {
+            let Motion { velocity, yaw_rate, .. } = motions[k.index()];
+            let (x, y) = (p(velocity.x, "m/s"), p(velocity.y, "m/s"));
+            let mut formula = format!("½ m_{k} ({v}_{k}x² + {v}_{k}y²)");
+            let mut numbers = format!("½ · {} · ({x}² + {y}²)", n(mass, "kg"));
+            if let Some(inertia) = yaw_inertia {
+                formula.push_str(&format!(" + ½ I_{k} {w}_{k}²"));
+                numbers.push_str(&format!(" + ½ · {} · {}²", n(inertia, "kg·m²"), p(yaw_rate, "rad/s")));
+            }
+            (formula, numbers)
+        };
+        let (formula, numbers): (Vec<String>, Vec<String>) = moving.iter().map(term).unzip();
+        step(name, symbol, formula.join(" + "), numbers.join(" + "), value, "J", "theory 4")
+    };
+    [
+        of("kinetic energy before", "T", ["v", "ω"], before, values[0]),
+        of("kinetic energy after", "T'", ["V", "Ω"], after, values[1]),
+    ]
 }
 
 /// The work along n or t of an impulse, from the velocities before and after it.
