@@ -61,7 +61,7 @@ impl CurvesPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let mut canvas = Canvas::new(self.name, WIDTH, HEADER);
+        let mut canvas = Canvas::new(self.name, WIDTH);
         legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         let mut top = HEADER + 34.0;
         for (k, panel) in self.panels.iter().enumerate() {
@@ -87,9 +87,7 @@ impl CurvesPicture {
         let entries = self.legend.iter().zip(OF_VEHICLE);
         let entries: Vec<_> =
             entries.filter_map(|(text, pen)| Some((Sample::Line(pen), text.clone()?))).collect();
-        let below = top - 28.0;
-        canvas.set_height(below + legend::height(entries.len(), 2) + 10.0);
-        legend::legend(&mut canvas, below, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, top - 28.0, 2, &entries) + 10.0;
         let title = format!("{}: {}", self.title, self.subtitle);
         Drawing::new(self.name, title, self.description.clone(), canvas)
     }

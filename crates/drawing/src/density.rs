@@ -55,8 +55,7 @@ impl DensityPicture {
         let marks = IntervalMarks::new(&self.interval, ("median", &self.median), on, self.decimals);
 
         let has_before = !self.before.is_empty();
-        let entries = if has_before { 4 } else { 3 };
-        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(entries, 2) + 6.0);
+        let mut canvas = Canvas::new(self.name, WIDTH);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let curve =
@@ -82,7 +81,7 @@ impl DensityPicture {
         if has_before {
             entries.insert(1, (Sample::Line(BEFORE), before));
         }
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let description = format!("{} {}.", self.description, marks.words());
         Drawing::new(self.name, self.title.clone(), description, canvas)
     }

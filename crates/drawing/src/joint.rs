@@ -59,7 +59,7 @@ impl JointPicture {
     pub fn draw(&self) -> Drawing {
         let top = HEADER + ABOVE;
         let bottom = top + PLOT + BELOW;
-        let mut canvas = Canvas::new(self.name, PAGE, bottom + legend::height(3, 1) + 6.0);
+        let mut canvas = Canvas::new(self.name, PAGE);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let [across, upward] = self.ends;
         let area = Rect::new(LEFT, top, LEFT + PLOT, top + PLOT);
@@ -79,7 +79,7 @@ impl JointPicture {
             (Sample::Line(REGIONS[0]), inner),
             (Sample::Line(REGIONS[1]), outer),
         ];
-        legend::legend(&mut canvas, bottom, 1, &entries);
+        canvas.height = legend::legend(&mut canvas, bottom, 1, &entries) + 6.0;
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 

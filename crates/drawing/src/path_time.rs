@@ -91,8 +91,7 @@ impl PathTimePicture {
             entries
                 .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
         }
-        let height = PLOT.y1 + BELOW + legend::height(entries.len(), 2) + 6.0;
-        let mut canvas = Canvas::new(NAME, WIDTH, height);
+        let mut canvas = Canvas::new(NAME, WIDTH);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
         chart.draw(&mut canvas, &self.time, &self.way, MOST);
@@ -100,7 +99,7 @@ impl PathTimePicture {
         if let Some((times, _)) = &self.zone {
             let [from, to] = times.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
             let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
-            canvas.protect(bar);
+            canvas.labels.protect(bar);
             canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
         }
         canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
@@ -126,14 +125,14 @@ impl PathTimePicture {
         }
         let at = chart.at(self.impact.0, 0.0);
         canvas.dot("impact", at, 5.0, None, BLACK);
-        canvas.label(at, &self.impact.1, BLACK);
+        canvas.labels.label(at, &self.impact.1, BLACK);
         let demand = chart
             .at(0.0, self.courses.first().and_then(|course| course.points.first()).map_or(0.0, |at| at[1]));
         canvas.dot("demand", demand, 5.0, None, GREY);
         canvas.line("demand-line", chart.at(0.0, self.reach[0]), chart.at(0.0, self.reach[1]), BOUND);
-        canvas.label(demand, &self.demand, BLACK);
+        canvas.labels.label(demand, &self.demand, BLACK);
         canvas.place_labels(PLOT.inset(-2.0));
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let title = format!("{}: {}", self.title, self.subtitle.lines().next().unwrap_or_default());
         Drawing::new(NAME, title, self.description.clone(), canvas)
     }

@@ -47,7 +47,7 @@ impl RanksPicture {
     pub fn draw(&self) -> Drawing {
         let most = self.counts.iter().copied().fold(self.band[1], f64::max) * BEYOND;
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, 1.0], upward: [0.0, most] };
-        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
+        let mut canvas = Canvas::new(self.name, WIDTH);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         chart.bars(&mut canvas, 0.0, 1.0 / count(self.counts.len().max(1)), &self.counts);
@@ -63,7 +63,7 @@ impl RanksPicture {
             (Sample::Line(AXIS), expected),
             (Sample::Line(BOUND), band),
         ];
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries) + 6.0;
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 }

@@ -66,8 +66,7 @@ impl RestsPicture {
             Rect::from_points(corners[0].to_point(), corners[1].to_point())
         });
         let page = |place: [f64; 2]| view.origin + flipped(vec2(place)) * view.scale;
-        let entries = self.vehicles.len() + 2;
-        let mut canvas = Canvas::new(self.name, WIDTH, ROOM.y1 + 40.0 + legend::height(entries, 2) + 6.0);
+        let mut canvas = Canvas::new(self.name, WIDTH);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         for (i, vehicle) in &self.vehicles {
             for draw in &vehicle.draws {
@@ -94,12 +93,12 @@ impl RestsPicture {
                 }
             }
             canvas.centre_of_gravity(&format!("cg-{}", i + 1), page(position));
-            canvas.label_of_point(page(position), &vehicle.label, OUTLINE[i % 2].colour);
+            canvas.labels.label_of_point(page(position), &vehicle.label, OUTLINE[i % 2].colour);
         }
         let cross = legend::cross(page(self.impact), 7.0);
         let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
         canvas.path("impact", &cross, Some(pen), "none");
-        canvas.label_of_point(page(self.impact), "impact", GREY);
+        canvas.labels.label_of_point(page(self.impact), "impact", GREY);
         canvas.place_labels(ROOM.inset(6.0));
         let base = ROOM.y1 + 22.0;
         legend::scale_bar(&mut canvas, "scale", Point::new(EDGE, base), view.scale, &self.scale, "");
@@ -117,7 +116,7 @@ impl RestsPicture {
             .collect();
         entries.push((Sample::Line(MEASURED), "outline where it was found".to_owned()));
         entries.push((Sample::Cross(pen), "place of the impact".to_owned()));
-        legend::legend(&mut canvas, ROOM.y1 + 40.0, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, ROOM.y1 + 40.0, 2, &entries) + 6.0;
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 

@@ -48,8 +48,7 @@ impl SightPicture {
             entries.push((Sample::Box(THIN, PALE.to_owned()), "obstacle".to_owned()));
         }
         entries.extend(self.line.iter().map(|(_, legend)| (Sample::Line(BOUND), legend.clone())));
-        let height = ROOM.y1 + 46.0 + legend::height(entries.len(), 2) + 6.0;
-        let mut canvas = Canvas::new(NAME, WIDTH, height);
+        let mut canvas = Canvas::new(NAME, WIDTH);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let view = View::fit(ROOM, LARGEST, |scale| self.bounds(scale));
         let page = |at: [f64; 2]| view.at(vec2(at));
@@ -64,7 +63,7 @@ impl SightPicture {
             canvas.path(&format!("way-{}", i + 1), &polyline(points.iter().copied()), Some(PATH[i]), "none");
             for (k, (at, (_, time))) in points.iter().zip(way).enumerate() {
                 canvas.dot(&format!("place-{}-{}", i + 1, k + 1), *at, 3.5, None, OUTLINE[i].colour);
-                canvas.label(*at, time, OUTLINE[i].colour);
+                canvas.labels.label(*at, time, OUTLINE[i].colour);
             }
         }
         if let Some((ends, _)) = &self.line {
@@ -77,7 +76,7 @@ impl SightPicture {
         canvas.place_labels(ROOM.inset(10.0));
         let base = ROOM.y1 + 26.0;
         legend::scale_bar(&mut canvas, "scale", Point::new(EDGE, base), view.scale, &self.scale, "");
-        legend::legend(&mut canvas, ROOM.y1 + 46.0, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, ROOM.y1 + 46.0, 2, &entries) + 6.0;
         Drawing::new(NAME, self.title.clone(), self.description.clone(), canvas)
     }
 
