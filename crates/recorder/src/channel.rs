@@ -410,7 +410,12 @@ const DENYING: &str = "relative, closing, lead, other, trailer, wheel, fan, turb
 
 /// Whether this word next to the name of a quantity shows that the heading is of something else.
 pub(crate) fn denies(word: &str) -> bool {
-    DENYING.split(", ").any(|denying| denying == word)
+    is_one_of(DENYING, word)
+}
+
+/// Whether a word is one of these, which have commas between them.
+pub(crate) fn is_one_of(words: &str, word: &str) -> bool {
+    words.split(", ").any(|one| one == word)
 }
 
 /// The unit that a word of a heading names.
