@@ -27,7 +27,7 @@ pub(crate) struct Canvas {
     pub(crate) height: f64,
     /// (px) height of the page above the origin.
     pub(crate) above: f64,
-    prefix: &'static str,
+    pub(crate) prefix: &'static str,
     /// Behind everything.
     pub(crate) backdrop: Option<Backdrop>,
     pub(crate) body: String,

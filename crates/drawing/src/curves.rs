@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -61,8 +60,8 @@ impl CurvesPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let mut canvas = Canvas::new(self.name, WIDTH);
-        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
+        let mut canvas =
+            legend::page(self.name, WIDTH, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         let mut top = HEADER + 34.0;
         for (k, panel) in self.panels.iter().enumerate() {
             let area = Rect::new(EDGE + 76.0, top, WIDTH - EDGE - 16.0, top + self.height);
@@ -89,7 +88,7 @@ impl CurvesPicture {
             entries.filter_map(|(text, pen)| Some((Sample::Line(pen), text.clone()?))).collect();
         canvas.height = legend::legend(&mut canvas, top - 28.0, 2, &entries) + 10.0;
         let title = format!("{}: {}", self.title, self.subtitle);
-        Drawing::new(self.name, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 }
 

@@ -116,7 +116,6 @@ impl DamagePicture {
         canvas.height = bottom + 118.0;
         let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
         Drawing::new(
-            NAME,
             format!("{}: damage", self.title),
             format!("Each damaged vehicle from above, with its crush profile. {description}"),
             canvas,

@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -55,8 +54,7 @@ impl DensityPicture {
         let marks = IntervalMarks::new(&self.interval, ("median", &self.median), on, self.decimals);
 
         let has_before = !self.before.is_empty();
-        let mut canvas = Canvas::new(self.name, WIDTH);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let curve =
             |points: &[[f64; 2]]| polyline(points.iter().map(|&[across, upward]| chart.at(across, upward)));
@@ -83,7 +81,7 @@ impl DensityPicture {
         }
         canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let description = format!("{} {}.", self.description, marks.words());
-        Drawing::new(self.name, self.title.clone(), description, canvas)
+        Drawing::new(self.title.clone(), description, canvas)
     }
 
     fn chart(&self) -> Chart {

@@ -132,7 +132,7 @@ impl EnergyPicture {
             parts.join("; ")
         );
         let description = description.trim_end().to_owned();
-        Drawing::new(NAME, format!("{title}: energy"), description, canvas)
+        Drawing::new(format!("{title}: energy"), description, canvas)
     }
 }
 

@@ -36,15 +36,14 @@ impl PictureFormat {
 /// A finished drawing.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    name: &'static str,
     title: String,
     description: String,
     canvas: Canvas,
 }
 
 impl Drawing {
-    pub(crate) fn new(name: &'static str, title: String, description: String, canvas: Canvas) -> Self {
-        Self { name, title, description, canvas }
+    pub(crate) fn new(title: String, description: String, canvas: Canvas) -> Self {
+        Self { title, description, canvas }
     }
 
     /// Stacks drawings on one page, each with its word in its `id`s there. None of them may have a site plan.
@@ -62,14 +61,13 @@ impl Drawing {
             canvas.height += page.height();
             descriptions.push(drawing.description.as_str());
         }
-        let description = descriptions.join(" ");
-        Self::new(name, title, description, canvas)
+        Self::new(title, descriptions.join(" "), canvas)
     }
 
     /// The name of its subject, which is the first part of the `id`s in its SVG.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        self.name
+        self.canvas.prefix
     }
 
     /// Its title, one line.
@@ -87,7 +85,7 @@ impl Drawing {
     /// The drawing as SVG, with its title and description, for a file of its own or inside HTML.
     #[must_use]
     pub fn svg(&self) -> String {
-        self.svg_named(self.name)
+        self.svg_named(self.name())
     }
 
     /// The same with another [`name`](Self::name) in its `id`s, so that several drawings of one kind can be
@@ -103,19 +101,19 @@ impl Drawing {
 
     /// The drawing in front of the page and its backdrop.
     fn foreground(&self) -> String {
-        self.svg_on(self.name, "")
+        self.svg_on(self.name(), "")
     }
 
     /// The shapes, with another name in their `id`s.
     fn body_named(&self, name: &str) -> String {
-        let own = self.name;
+        let own = self.name();
         // Quotation marks in texts are escaped, so no text matches.
         let body = self.canvas.body.replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
         body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"))
     }
 
     fn svg_on(&self, name: &str, ground: &str) -> String {
-        let Self { title, description, canvas, .. } = self;
+        let Self { title, description, canvas } = self;
         let body = self.body_named(name);
         let page = canvas.page();
         let [top, width, height] = [page.y0, page.width(), page.height()].map(px);

@@ -24,6 +24,13 @@ const SAMPLE: f64 = 40.0;
 /// (px) line height of the title, and of the lines below it.
 const LEADING: [f64; 2] = [22.0, 18.0];
 
+/// A page of this width (px) with a title and the lines below it.
+pub(crate) fn page(name: &'static str, width: f64, title: &str, below: &str) -> Canvas {
+    let mut canvas = Canvas::new(name, width);
+    header(&mut canvas, title, below);
+    canvas
+}
+
 /// Draws the title and the lines below it. Lines that do not fit above the picture extend the page upwards.
 pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
     let most = canvas.width - 2.0 * EDGE;

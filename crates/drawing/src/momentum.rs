@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use crate::canvas::{Canvas, Head};
+use crate::canvas::Head;
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::count;
@@ -96,8 +96,7 @@ impl MomentumPicture {
         let per_momentum = view.scale / longest;
         let at = |corner: Vec2, k: usize| view.origin + flipped(corner) * per_momentum + row(k);
 
-        let mut canvas = Canvas::new(NAME, WIDTH);
-        legend::header(&mut canvas, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
         if is_line {
             // Where the polygon is a line, grid lines join the ends that form one corner.
             for (k, side) in sides.iter().enumerate() {
@@ -136,7 +135,7 @@ impl MomentumPicture {
         }
         canvas.height = legend::legend(&mut canvas, bar_row + 22.0, 3, &entries) + 10.0;
         let title = format!("{}: momentum polygon", self.title);
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     /// The sides, in the order from top to bottom that they have if the polygon is a line.

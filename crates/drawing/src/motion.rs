@@ -170,9 +170,8 @@ impl MotionPicture {
         });
         let (area, view) = given.unwrap_or_else(|| self.fitted(widest));
 
-        let mut canvas = Canvas::new(NAME, WIDTH);
         let below = format!("Plan view from approach to rest, to scale\n{}", self.caveat);
-        legend::header(&mut canvas, &self.title, &below);
+        let canvas = legend::page(NAME, WIDTH, &self.title, &below);
         let mut page = Page { canvas, motion: self, area, view, step: self.step() };
         page.ground();
         // Marks lie above the vehicle that begins to make them, and below the one that has made them.
@@ -640,7 +639,7 @@ impl Page<'_> {
         let entries = self.entries();
         self.canvas.height = legend::legend(&mut self.canvas, bottom, 3, &entries) + 10.0;
         let title = format!("{}: motion from approach to rest", motion.title);
-        Drawing::new(NAME, title, motion.description.clone(), self.canvas)
+        Drawing::new(title, motion.description.clone(), self.canvas)
     }
 
     fn entries(&self) -> Vec<(Sample, String)> {

@@ -3,7 +3,6 @@
 
 use kurbo::{Point, Rect};
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -91,8 +90,7 @@ impl PathTimePicture {
             entries
                 .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
         }
-        let mut canvas = Canvas::new(NAME, WIDTH);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
         chart.draw(&mut canvas, &self.time, &self.way, MOST);
 
@@ -134,7 +132,7 @@ impl PathTimePicture {
         canvas.place_labels(PLOT.inset(-2.0));
         canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let title = format!("{}: {}", self.title, self.subtitle.lines().next().unwrap_or_default());
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     /// The points of a line within the plot, cut at its upper end.

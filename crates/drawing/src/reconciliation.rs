@@ -67,8 +67,8 @@ impl ReconciliationPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
-        let mut canvas = Canvas::new(NAME, WIDTH);
-        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
+        let mut canvas =
+            legend::page(NAME, WIDTH, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         chart.draw(&mut canvas, &self.speed, &self.work, MOST);
 
         self.curve(&chart, &mut canvas, "sought", LEVEL, |point| point.sought);
@@ -102,7 +102,7 @@ impl ReconciliationPicture {
         legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);
         canvas.height = HEIGHT;
         let title = format!("{}: reconciliation", self.title);
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     fn chart(&self) -> Chart {

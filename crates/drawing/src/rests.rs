@@ -2,7 +2,6 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::footprint::Footprint;
@@ -66,8 +65,7 @@ impl RestsPicture {
             Rect::from_points(corners[0].to_point(), corners[1].to_point())
         });
         let page = |place: [f64; 2]| view.origin + flipped(vec2(place)) * view.scale;
-        let mut canvas = Canvas::new(self.name, WIDTH);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         for (i, vehicle) in &self.vehicles {
             for draw in &vehicle.draws {
                 canvas.dot("", page(*draw), RADIUS, None, DRAWS[i % 2]);
@@ -117,7 +115,7 @@ impl RestsPicture {
         entries.push((Sample::Line(MEASURED), "outline where it was found".to_owned()));
         entries.push((Sample::Cross(pen), "place of the impact".to_owned()));
         canvas.height = legend::legend(&mut canvas, ROOM.y1 + 40.0, 2, &entries) + 6.0;
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// (m) the extent that has to fit.

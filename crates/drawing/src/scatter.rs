@@ -77,8 +77,7 @@ impl ScatterPicture {
         let has_titles = self.panels.iter().any(|panel| !panel.title.is_empty());
         let top = HEADER + ABOVE + if has_titles { TITLE } else { 0.0 };
         let bottom = top + PLOT + BELOW;
-        let mut canvas = Canvas::new(self.name, page);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, page, &self.title, &self.subtitle);
         let end = self.end();
         let mut left = EDGE;
         for (number, panel) in (1_usize..).zip(&self.panels) {
@@ -94,7 +93,7 @@ impl ScatterPicture {
             self.legend.iter().map(|(symbol, words)| (Sample::Symbol(*symbol), words.clone())).collect();
         entries.push((Sample::Line(EQUALITY), self.equality.clone()));
         canvas.height = legend::legend(&mut canvas, bottom, columns, &entries) + 6.0;
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// The end of both axes: a round number beyond all points.

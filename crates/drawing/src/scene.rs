@@ -123,10 +123,9 @@ impl ScenePicture {
         let origin = view.origin;
 
         let bar_row = HEADER + SCENE + 30.0;
-        let canvas = Canvas::new(NAME, WIDTH);
-        let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         let below = format!("Plan view at impact, to scale\n{}", self.caveat);
-        legend::header(&mut page.canvas, &self.title, &below);
+        let canvas = legend::page(NAME, WIDTH, &self.title, &below);
+        let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         // The bodies overlap: all areas are drawn first, so that no edge is hidden, and fixed objects below
         // the vehicles that drove into them.
         for is_fixed in [true, false] {
@@ -169,7 +168,7 @@ impl ScenePicture {
         let entries = page.entries();
         page.canvas.height = legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries) + 10.0;
         let title = format!("{}: plan view at impact", self.title);
-        (Drawing::new(NAME, title, self.description.clone(), page.canvas), self.plan_view(view))
+        (Drawing::new(title, self.description.clone(), page.canvas), self.plan_view(view))
     }
 
     fn plan_view(&self, view: View) -> PlanView {

@@ -3,7 +3,6 @@
 
 use kurbo::{Point, Rect};
 
-use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
@@ -48,8 +47,7 @@ impl SightPicture {
             entries.push((Sample::Box(THIN, PALE.to_owned()), "obstacle".to_owned()));
         }
         entries.extend(self.line.iter().map(|(_, legend)| (Sample::Line(BOUND), legend.clone())));
-        let mut canvas = Canvas::new(NAME, WIDTH);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         let view = View::fit(ROOM, LARGEST, |scale| self.bounds(scale));
         let page = |at: [f64; 2]| view.at(vec2(at));
         for (k, (corners, name)) in self.obstacles.iter().enumerate() {
@@ -77,7 +75,7 @@ impl SightPicture {
         let base = ROOM.y1 + 26.0;
         legend::scale_bar(&mut canvas, "scale", Point::new(EDGE, base), view.scale, &self.scale, "");
         canvas.height = legend::legend(&mut canvas, ROOM.y1 + 46.0, 2, &entries) + 6.0;
-        Drawing::new(NAME, self.title.clone(), self.description.clone(), canvas)
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// (px) the extent at a scale.

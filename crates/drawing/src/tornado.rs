@@ -92,7 +92,7 @@ impl TornadoPicture {
         let [low, high] = self.legend.clone();
         let entries = [(Sample::Box(LOW, stripes), low), (Sample::Box(HIGH, FILL[0].to_owned()), high)];
         canvas.height = legend::legend(&mut canvas, bottom + BELOW, 3, &entries) + 6.0;
-        Drawing::new(NAME, format!("{}: tornado", self.title), self.description.clone(), canvas)
+        Drawing::new(format!("{}: tornado", self.title), self.description.clone(), canvas)
     }
 
     fn columns(&self) -> Columns {
