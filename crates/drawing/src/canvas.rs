@@ -146,7 +146,7 @@ impl Canvas {
     pub(crate) fn path(&mut self, id: &str, path: &BezPath, pen: Option<Pen>, fill: &str) {
         if let Some(pen) = pen {
             let mut last = None;
-            for element in path.flatten_to_lines() {
+            for element in flattened(path) {
                 if let Some(from) = last.replace(element) {
                     self.labels.block(from, element, pen.width * 0.25);
                 }
@@ -262,24 +262,18 @@ fn data(path: &BezPath) -> String {
 }
 
 /// The corners of a path, with its curves as a few chords.
-trait Flatten {
-    fn flatten_to_lines(&self) -> Vec<Point>;
-}
-
-impl Flatten for BezPath {
-    fn flatten_to_lines(&self) -> Vec<Point> {
-        let mut points = Vec::new();
-        let mut start = None;
-        kurbo::flatten(self.iter(), 1.0, |element| match element {
-            PathEl::MoveTo(point) => {
-                start = Some(point);
-                points.push(point);
-            }
-            PathEl::LineTo(point) => points.push(point),
-            _ => points.extend(start),
-        });
-        points
-    }
+fn flattened(path: &BezPath) -> Vec<Point> {
+    let mut points = Vec::new();
+    let mut start = None;
+    kurbo::flatten(path.iter(), 1.0, |element| match element {
+        PathEl::MoveTo(point) => {
+            start = Some(point);
+            points.push(point);
+        }
+        PathEl::LineTo(point) => points.push(point),
+        _ => points.extend(start),
+    });
+    points
 }
 
 /// A text escaped for XML, without the characters that XML cannot hold.

@@ -249,10 +249,8 @@ impl MotionPicture {
     }
 
     fn wall_ends(&self, contact: Contact) -> [f64; 2] {
-        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| {
-            let MotionVehicle { body, cg, forward, .. } = vehicle.as_ref()?;
-            body.outline_in(Pose::new(*cg, *forward))
-        }))
+        let outline = |vehicle: &MotionVehicle| vehicle.body.outline_in(vehicle.at_impact());
+        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(outline)))
     }
 
     /// (px) extent of the picture, around the origin of the scene.
