@@ -77,36 +77,15 @@ impl<T: Real> Stiffness<T> {
     }
 }
 
-/// One row of the class table, in inches and square inches.
-struct Row {
-    track: f64,
-    length: f64,
-    width: f64,
-    cg_to_front_axle: f64,
-    cg_to_rear_axle: f64,
-    cg_to_front: f64,
-    yaw_radius_squared: f64,
-}
-
-const fn row([track, length, width, a, b, xf, rsq]: [f64; 7]) -> Row {
-    Row {
-        track,
-        length,
-        width,
-        cg_to_front_axle: a,
-        cg_to_rear_axle: b,
-        cg_to_front: xf,
-        yaw_radius_squared: rsq,
-    }
-}
-
-const CLASSES: [Row; 6] = [
-    row([51.1, 159.8, 60.8, 45.1, 48.1, 76.0, 2006.0]),
-    row([54.6, 174.9, 67.2, 46.3, 50.1, 83.3, 2951.0]),
-    row([58.9, 196.2, 72.6, 51.3, 53.5, 89.8, 3324.0]),
-    row([61.8, 212.8, 77.0, 54.7, 59.2, 98.8, 3741.0]),
-    row([63.1, 223.7, 79.0, 58.1, 63.0, 101.8, 4040.0]),
-    row([63.7, 229.4, 79.0, 60.1, 65.1, 104.2, 4229.0]),
+/// Of each class, in inches and square inches: track, length, width, from the CG to the front axle, to the
+/// rear axle and to the front, and k².
+const CLASSES: [[f64; 7]; 6] = [
+    [51.1, 159.8, 60.8, 45.1, 48.1, 76.0, 2006.0],
+    [54.6, 174.9, 67.2, 46.3, 50.1, 83.3, 2951.0],
+    [58.9, 196.2, 72.6, 51.3, 53.5, 89.8, 3324.0],
+    [61.8, 212.8, 77.0, 54.7, 59.2, 98.8, 3741.0],
+    [63.1, 223.7, 79.0, 58.1, 63.0, 101.8, 4040.0],
+    [63.7, 229.4, 79.0, 60.1, 65.1, 104.2, 4229.0],
 ];
 
 /// CRASH3's typical passenger car of a size class. The classes are ordered by wheelbase, from 93 in (2.37 m)
@@ -139,17 +118,17 @@ impl VehicleClass {
     /// If there is no such class.
     pub fn new(class: u8) -> Result<Self, CrushError> {
         let row = usize::from(class).checked_sub(1).and_then(|index| CLASSES.get(index));
-        let Some(row) = row else {
+        let Some(&[track, length, width, front_axle, rear_axle, front, k_squared]) = row else {
             return Err(CrushError::NoClass { class, known: "1, 2, 3, 4, 5 and 6" });
         };
         Ok(Self {
-            wheelbase: (row.cg_to_front_axle + row.cg_to_rear_axle) * INCH,
-            track: row.track * INCH,
-            length: row.length * INCH,
-            width: row.width * INCH,
-            cg_to_front: row.cg_to_front * INCH,
-            cg_to_front_axle: row.cg_to_front_axle * INCH,
-            yaw_radius: row.yaw_radius_squared.sqrt() * INCH,
+            wheelbase: (front_axle + rear_axle) * INCH,
+            track: track * INCH,
+            length: length * INCH,
+            width: width * INCH,
+            cg_to_front: front * INCH,
+            cg_to_front_axle: front_axle * INCH,
+            yaw_radius: k_squared.sqrt() * INCH,
         })
     }
 }
@@ -186,13 +165,14 @@ mod tests {
             assert!((a * a / (2.0 * b) / g - 1.0).abs() < 0.02, "{a} {b} {g}");
         }
         // SAE 870045, Table 2: the half widths y_s, in.
-        for (row, half_width) in CLASSES.iter().zip([30.4, 33.6, 36.3, 38.5, 39.9, 39.9]) {
-            assert!((row.width - 2.0 * half_width).abs() < 0.81, "{}", row.width);
+        for ([_, _, width, ..], half_width) in CLASSES.into_iter().zip([30.4, 33.6, 36.3, 38.5, 39.9, 39.9]) {
+            assert!((width - 2.0 * half_width).abs() < 0.81, "{width}");
         }
         // And the distances from the CG to the rear end, x_r, in.
-        for (row, to_rear) in CLASSES.iter().zip([83.8, 91.6, 106.4, 114.0, 121.9, 125.2]) {
-            assert!((row.length - row.cg_to_front - to_rear).abs() < 0.051, "{}", row.length);
+        for (class, to_rear) in CLASSES.into_iter().zip([83.8, 91.6, 106.4, 114.0, 121.9, 125.2]) {
+            let [_, length, .., front, _] = class;
+            assert!((length - front - to_rear).abs() < 0.051, "{length}");
         }
-        assert!(CLASSES.windows(2).all(|pair| pair[0].track < pair[1].track));
+        assert!(CLASSES.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     }
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
 
 use crate::font::{self, Anchor, SMALL};
-use crate::labels::{self, Kind, Placer};
+use crate::labels::{self, Placer};
 use crate::number::{px, significant};
 use crate::pens::{BLACK, GREY, Pen, WHITE};
 use crate::site_plan::Backdrop;
@@ -22,65 +22,30 @@ pub(crate) enum Head {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Canvas {
-    width: f64,
-    height: f64,
+    pub(crate) width: f64,
+    /// (px) height of the page below the origin.
+    pub(crate) height: f64,
     /// (px) height of the page above the origin.
-    above: f64,
-    prefix: &'static str,
+    pub(crate) above: f64,
+    pub(crate) prefix: &'static str,
     /// Behind everything.
-    backdrop: Option<Backdrop>,
-    body: String,
-    placer: Placer,
+    pub(crate) backdrop: Option<Backdrop>,
+    pub(crate) body: String,
+    pub(crate) labels: Placer,
     /// Characters written that are missing from the font.
-    missing: BTreeSet<char>,
+    pub(crate) missing: BTreeSet<char>,
 }
 
 impl Canvas {
-    /// An empty page of the given size (px); the `id`s of its shapes begin with `prefix`.
-    pub(crate) fn new(prefix: &'static str, width: f64, height: f64) -> Self {
-        let (body, placer) = (String::new(), Placer::default());
-        Self { width, height, above: 0.0, prefix, backdrop: None, body, placer, missing: BTreeSet::new() }
-    }
-
-    /// Sets the height of the page below the origin (px).
-    pub(crate) fn set_height(&mut self, height: f64) {
-        self.height = height;
-    }
-
-    /// Sets the height of the page above the origin (px).
-    pub(crate) fn grow_up(&mut self, above: f64) {
-        self.above = above.max(0.0);
+    /// An empty page of the given width (px); the `id`s of its shapes begin with `prefix`.
+    pub(crate) fn new(prefix: &'static str, width: f64) -> Self {
+        let (body, labels, missing) = (String::new(), Placer::default(), BTreeSet::new());
+        Self { width, height: 0.0, above: 0.0, prefix, backdrop: None, body, labels, missing }
     }
 
     /// The bounds of the whole page (px).
     pub(crate) fn page(&self) -> Rect {
         Rect::new(0.0, -self.above, self.width, self.height)
-    }
-
-    pub(crate) fn size(&self) -> (f64, f64) {
-        (self.width, self.height)
-    }
-
-    pub(crate) fn set_backdrop(&mut self, backdrop: Backdrop) {
-        self.backdrop = Some(backdrop);
-    }
-
-    pub(crate) fn backdrop(&self) -> Option<&Backdrop> {
-        self.backdrop.as_ref()
-    }
-
-    pub(crate) fn body(&self) -> &str {
-        &self.body
-    }
-
-    /// Characters missing from the font.
-    pub(crate) fn missing(&self) -> impl Iterator<Item = char> {
-        self.missing.iter().copied()
-    }
-
-    /// Adds missing characters of shapes that another page wrote.
-    pub(crate) fn note_missing(&mut self, letters: impl Iterator<Item = char>) {
-        self.missing.extend(letters);
     }
 
     pub(crate) fn element(&mut self, element: &str) {
@@ -110,7 +75,7 @@ impl Canvas {
     }
 
     pub(crate) fn line(&mut self, id: &str, a: Point, b: Point, pen: Pen) {
-        self.placer.block(a, b, 1.0);
+        self.labels.block(a, b, 1.0);
         self.stroked(id, a, b, pen);
     }
 
@@ -133,7 +98,7 @@ impl Canvas {
 
     /// An arrow from `a` to `b`. Its line carries the id and reaches to the very tip.
     pub(crate) fn arrow(&mut self, id: &str, a: Point, b: Point, pen: Pen, head: Head) {
-        self.placer.block(a, b, 4.0);
+        self.labels.block(a, b, 4.0);
         let along = b - a;
         let length = along.hypot();
         let direction = if length > 0.0 { along / length } else { Vec2::new(1.0, 0.0) };
@@ -141,7 +106,7 @@ impl Canvas {
         let size = (6.0 + 2.0 * pen.width).min(length);
         let (left, right) =
             (b - direction * size + across * (size * 0.4), b - direction * size - across * (size * 0.4));
-        self.protect(Rect::from_points(left, right).union_pt(b));
+        self.labels.protect(Rect::from_points(left, right).union_pt(b));
         let id = self.id(id);
         let (end, tip) = match head {
             Head::Filled => {
@@ -165,7 +130,7 @@ impl Canvas {
 
     /// A scale bar with ticks at both ends that represents `si` (in SI units).
     pub(crate) fn scale(&mut self, id: &str, a: Point, b: Point, si: f64, pen: Pen) {
-        self.placer.block(a, b, 10.0);
+        self.labels.block(a, b, 10.0);
         let id = self.id(id);
         let tick = Vec2::new(0.0, 5.0);
         let ends = [a, b].map(|end| format!("M{}L{}", pair(end - tick), pair(end + tick)));
@@ -181,9 +146,9 @@ impl Canvas {
     pub(crate) fn path(&mut self, id: &str, path: &BezPath, pen: Option<Pen>, fill: &str) {
         if let Some(pen) = pen {
             let mut last = None;
-            for element in path.flatten_to_lines() {
+            for element in flattened(path) {
                 if let Some(from) = last.replace(element) {
-                    self.placer.block(from, element, pen.width * 0.25);
+                    self.labels.block(from, element, pen.width * 0.25);
                 }
             }
         }
@@ -205,7 +170,7 @@ impl Canvas {
     }
 
     pub(crate) fn dot(&mut self, id: &str, at: Point, radius: f64, pen: Option<Pen>, fill: &str) {
-        self.placer.avoid(Rect::from_center_size(at, (2.0 * radius + 2.0, 2.0 * radius + 2.0)), 30.0);
+        self.labels.avoid(Rect::from_center_size(at, (2.0 * radius + 2.0, 2.0 * radius + 2.0)), 30.0);
         let id = self.id(id);
         let line = pen.map(stroke).unwrap_or_default();
         self.element(&format!(
@@ -220,7 +185,7 @@ impl Canvas {
     pub(crate) fn centre_of_gravity(&mut self, id: &str, at: Point) {
         const RADIUS: f64 = 6.0;
         self.dot(id, at, RADIUS, Some(Pen { colour: BLACK, width: 1.2, dashes: "" }), WHITE);
-        self.protect(Rect::from_center_size(at, (2.0 * RADIUS, 2.0 * RADIUS)));
+        self.labels.protect(Rect::from_center_size(at, (2.0 * RADIUS, 2.0 * RADIUS)));
         let (x, y, r) = (px(at.x), px(at.y), px(RADIUS));
         let (left, right) = (px(at.x - RADIUS), px(at.x + RADIUS));
         self.element(&format!(
@@ -232,7 +197,7 @@ impl Canvas {
 
     /// A text anchored at a point on its baseline.
     pub(crate) fn text(&mut self, at: Point, text: &str, size: f64, anchor: Anchor, colour: &str) {
-        self.placer.taken(labels::text_area(at, text, size, anchor));
+        self.labels.taken(labels::text_area(at, text, size, anchor));
         self.write(at, text, size, anchor, colour);
     }
 
@@ -254,39 +219,9 @@ impl Canvas {
         ));
     }
 
-    /// Keeps all labels from covering an area.
-    pub(crate) fn protect(&mut self, area: Rect) {
-        self.placer.protect(area);
-    }
-
-    /// Keeps labels off an area: those of [`label_beside`](Self::label_beside), or all of them.
-    pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
-        self.placer.keep_off(path, all);
-    }
-
-    /// Labels a point; [`place_labels`](Self::place_labels) places the text nearby.
-    pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str) {
-        self.placer.label(at, text, colour, Kind::Anywhere);
-    }
-
-    /// Labels a point from outside all outlines, with a line to it.
-    pub(crate) fn label_beside(&mut self, at: Point, text: &str, colour: &'static str) {
-        self.placer.label(at, text, colour, Kind::BesideOutlines);
-    }
-
-    /// Labels one of many points, which were given to [`protect`](Self::protect).
-    pub(crate) fn label_of_point(&mut self, at: Point, text: &str, colour: &'static str) {
-        self.placer.label(at, text, colour, Kind::OfPoint);
-    }
-
-    /// Names an area, on the area itself if there is room.
-    pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
-        self.placer.label_within(area, at, text, colour);
-    }
-
     /// Places all labels inside `bounds` ([`Placer::place`]).
     pub(crate) fn place_labels(&mut self, bounds: Rect) {
-        for label in self.placer.place(bounds) {
+        for label in self.labels.place(bounds) {
             if let Some(leader) = label.leader {
                 self.grid(leader.p0, leader.p1, Pen { colour: GREY, width: 0.8, dashes: "" });
             }
@@ -327,24 +262,18 @@ fn data(path: &BezPath) -> String {
 }
 
 /// The corners of a path, with its curves as a few chords.
-trait Flatten {
-    fn flatten_to_lines(&self) -> Vec<Point>;
-}
-
-impl Flatten for BezPath {
-    fn flatten_to_lines(&self) -> Vec<Point> {
-        let mut points = Vec::new();
-        let mut start = None;
-        kurbo::flatten(self.iter(), 1.0, |element| match element {
-            PathEl::MoveTo(point) => {
-                start = Some(point);
-                points.push(point);
-            }
-            PathEl::LineTo(point) => points.push(point),
-            _ => points.extend(start),
-        });
-        points
-    }
+fn flattened(path: &BezPath) -> Vec<Point> {
+    let mut points = Vec::new();
+    let mut start = None;
+    kurbo::flatten(path.iter(), 1.0, |element| match element {
+        PathEl::MoveTo(point) => {
+            start = Some(point);
+            points.push(point);
+        }
+        PathEl::LineTo(point) => points.push(point),
+        _ => points.extend(start),
+    });
+    points
 }
 
 /// A text escaped for XML, without the characters that XML cannot hold.

@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -47,8 +46,7 @@ impl ChancePicture {
         let all = || self.points.iter().map(|point| point[0]).chain(self.marks.iter().map(|mark| mark.value));
         let across = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
         let chart = Chart { area: PLOT, left: EDGE, across, upward: [0.0, 1.0] };
-        let mut canvas = Canvas::new(NAME, WIDTH, PLOT.y1 + BELOW + legend::height(2, 2) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let edge = |of: usize| self.points.iter().map(move |point| (point[0], point[of]));
         let around = edge(3).chain(edge(1).rev()).map(|(x, y)| chart.at(x, y));
@@ -58,12 +56,12 @@ impl ChancePicture {
             let [low, high] = [0.0, 1.0].map(|end| chart.at(mark.value, end));
             canvas.line(&format!("mark-{k}"), low, high, BOUND);
             let value = number(mark.value / self.across.unit, self.decimals);
-            canvas.label(chart.at(mark.value, 0.5), &format!("{} {value}", mark.lead), BLACK);
+            canvas.labels.label(chart.at(mark.value, 0.5), &format!("{} {value}", mark.lead), BLACK);
         }
         canvas.place_labels(PLOT.inset(-2.0));
         let [curve, of_band] = self.legend.clone();
         let entries = [(Sample::Line(CURVE), curve), (Sample::Box(CLASS, FILL[0].to_owned()), of_band)];
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
-        Drawing::new(NAME, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 }

@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -61,8 +60,8 @@ impl CurvesPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let mut canvas = Canvas::new(self.name, WIDTH, HEADER);
-        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
+        let mut canvas =
+            legend::page(self.name, WIDTH, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         let mut top = HEADER + 34.0;
         for (k, panel) in self.panels.iter().enumerate() {
             let area = Rect::new(EDGE + 76.0, top, WIDTH - EDGE - 16.0, top + self.height);
@@ -87,11 +86,9 @@ impl CurvesPicture {
         let entries = self.legend.iter().zip(OF_VEHICLE);
         let entries: Vec<_> =
             entries.filter_map(|(text, pen)| Some((Sample::Line(pen), text.clone()?))).collect();
-        let below = top - 28.0;
-        canvas.set_height(below + legend::height(entries.len(), 2) + 10.0);
-        legend::legend(&mut canvas, below, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, top - 28.0, 2, &entries) + 10.0;
         let title = format!("{}: {}", self.title, self.subtitle);
-        Drawing::new(self.name, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 }
 

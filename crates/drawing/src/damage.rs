@@ -9,6 +9,7 @@ use crate::footprint::{BodyShape, CrushProfile, Footprint, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::count;
 use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
+use crate::plan::extent;
 use crate::vector::polygon;
 
 const NAME: &str = "damage";
@@ -77,7 +78,7 @@ impl DamagePicture {
         let captions: Vec<Vec<String>> = panels.iter().map(|panel| panel.caption(width - 16.0)).collect();
         let rows = captions.iter().map(Vec::len).max().unwrap_or(0);
         let bottom = HEADER + ROOM + ROW * (count(rows) + 1.0);
-        let mut canvas = Canvas::new(NAME, WIDTH, bottom + 118.0);
+        let mut canvas = Canvas::new(NAME, WIDTH);
         canvas.define_stripes("crushed", GREY, WHITE, 45, 6.0);
 
         let below = "Damage: crush profiles in place, to scale, forward is up";
@@ -112,9 +113,9 @@ impl DamagePicture {
             entries.push((Sample::Line(undamaged(panel.i)), "shape before the damage".to_owned()));
         }
         legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
+        canvas.height = bottom + 118.0;
         let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
         Drawing::new(
-            NAME,
             format!("{}: damage", self.title),
             format!("Each damaged vehicle from above, with its crush profile. {description}"),
             canvas,
@@ -132,9 +133,7 @@ impl Panel<'_> {
         let there = self.there(Point::ZERO, 1.0);
         let CrushProfile { face, crushed, .. } = &self.vehicle.crush;
         let corners = self.vehicle.footprint.iter().flat_map(Footprint::corners);
-        let mut points = corners.chain(points(face)).chain(points(crushed));
-        let start = there * points.next().unwrap_or_default();
-        points.fold(Rect::from_points(start, start), |rect, point| rect.union_pt(there * point))
+        extent(corners.chain(points(face)).chain(points(crushed)).map(|point| there * point))
     }
 
     /// Forward is up.
@@ -172,7 +171,7 @@ impl Panel<'_> {
         canvas.path(&format!("crush-{number}"), &area, Some(CRUSHED), &fill);
         if vehicle.footprint.is_some() {
             canvas.centre_of_gravity(&format!("cg-{number}"), cg);
-            canvas.label(cg, "CG", BLACK);
+            canvas.labels.label(cg, "CG", BLACK);
         }
         if vehicle.has_stations {
             self.stations(canvas, &face, &crushed);

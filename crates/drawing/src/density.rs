@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -55,9 +54,7 @@ impl DensityPicture {
         let marks = IntervalMarks::new(&self.interval, ("median", &self.median), on, self.decimals);
 
         let has_before = !self.before.is_empty();
-        let entries = if has_before { 4 } else { 3 };
-        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(entries, 2) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let curve =
             |points: &[[f64; 2]]| polyline(points.iter().map(|&[across, upward]| chart.at(across, upward)));
@@ -82,9 +79,9 @@ impl DensityPicture {
         if has_before {
             entries.insert(1, (Sample::Line(BEFORE), before));
         }
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let description = format!("{} {}.", self.description, marks.words());
-        Drawing::new(self.name, self.title.clone(), description, canvas)
+        Drawing::new(self.title.clone(), description, canvas)
     }
 
     fn chart(&self) -> Chart {

@@ -85,8 +85,8 @@ impl EnergyPicture {
         let Self { title, caveat, initial, losses, rest, note } = self;
         let bottom = HEADER + STEP * (count(losses.len()) + 2.0) + 6.0;
         let lines = font::lines(note, SMALL, WIDTH - 2.0 * EDGE);
-        let height = bottom + 18.0 * (count(lines.len()) + 1.0);
-        let mut canvas = Canvas::new(NAME, WIDTH, height);
+        let mut canvas = Canvas::new(NAME, WIDTH);
+        canvas.height = bottom + 18.0 * (count(lines.len()) + 1.0);
         canvas.define_stripes("stripes-1", OUTLINE[0].colour, FILL[0], 45, 7.0);
         canvas.define_stripes("stripes-2", OUTLINE[1].colour, FILL[1], -45, 7.0);
         canvas.define_stripes("stripes-t", GREY, WHITE, 90, 6.0);
@@ -132,7 +132,7 @@ impl EnergyPicture {
             parts.join("; ")
         );
         let description = description.trim_end().to_owned();
-        Drawing::new(NAME, format!("{title}: energy"), description, canvas)
+        Drawing::new(format!("{title}: energy"), description, canvas)
     }
 }
 

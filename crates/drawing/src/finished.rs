@@ -36,42 +36,38 @@ impl PictureFormat {
 /// A finished drawing.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    name: &'static str,
     title: String,
     description: String,
     canvas: Canvas,
 }
 
 impl Drawing {
-    pub(crate) fn new(name: &'static str, title: String, description: String, canvas: Canvas) -> Self {
-        Self { name, title, description, canvas }
+    pub(crate) fn new(title: String, description: String, canvas: Canvas) -> Self {
+        Self { title, description, canvas }
     }
 
     /// Stacks drawings on one page, each with its word in its `id`s there. None of them may have a site plan.
     #[must_use]
     pub fn stacked(name: &'static str, title: String, drawings: &[(String, Self)]) -> Self {
         let width = drawings.iter().map(|(_, drawing)| drawing.canvas.page().width()).fold(0.0, f64::max);
-        let mut canvas = Canvas::new(name, width, 0.0);
-        let mut below = 0.0;
+        let mut canvas = Canvas::new(name, width);
         let mut descriptions = Vec::new();
         for (place, drawing) in drawings {
             let page = drawing.canvas.page();
             let body = drawing.body_named(&format!("{name}-{place}"));
-            let down = px(below - page.y0);
+            let down = px(canvas.height - page.y0);
             canvas.element(&format!("<g transform=\"translate(0 {down})\">\n{body}</g>"));
-            canvas.note_missing(drawing.missing_letters());
-            below += page.height();
+            canvas.missing.extend(drawing.missing_letters());
+            canvas.height += page.height();
             descriptions.push(drawing.description.as_str());
         }
-        canvas.set_height(below);
-        let description = descriptions.join(" ");
-        Self::new(name, title, description, canvas)
+        Self::new(title, descriptions.join(" "), canvas)
     }
 
     /// The name of its subject, which is the first part of the `id`s in its SVG.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        self.name
+        self.canvas.prefix
     }
 
     /// Its title, one line.
@@ -89,7 +85,7 @@ impl Drawing {
     /// The drawing as SVG, with its title and description, for a file of its own or inside HTML.
     #[must_use]
     pub fn svg(&self) -> String {
-        self.svg_named(self.name)
+        self.svg_named(self.name())
     }
 
     /// The same with another [`name`](Self::name) in its `id`s, so that several drawings of one kind can be
@@ -99,25 +95,25 @@ impl Drawing {
         let page = self.canvas.page();
         let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
         let ground = format!("<rect y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n");
-        let backdrop = self.canvas.backdrop().map(|backdrop| backdrop.svg(name)).unwrap_or_default();
+        let backdrop = self.canvas.backdrop.as_ref().map(|backdrop| backdrop.svg(name)).unwrap_or_default();
         self.svg_on(name, &format!("{ground}{backdrop}"))
     }
 
     /// The drawing in front of the page and its backdrop.
     fn foreground(&self) -> String {
-        self.svg_on(self.name, "")
+        self.svg_on(self.name(), "")
     }
 
     /// The shapes, with another name in their `id`s.
     fn body_named(&self, name: &str) -> String {
-        let own = self.name;
+        let own = self.name();
         // Quotation marks in texts are escaped, so no text matches.
-        let body = self.canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
+        let body = self.canvas.body.replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
         body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"))
     }
 
     fn svg_on(&self, name: &str, ground: &str) -> String {
-        let Self { title, description, canvas, .. } = self;
+        let Self { title, description, canvas } = self;
         let body = self.body_named(name);
         let page = canvas.page();
         let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
@@ -134,7 +130,7 @@ impl Drawing {
     /// Characters of the drawing that are missing from DejaVu Sans, the built-in font. PNG and PDF show
     /// question marks in their place; an SVG uses the reader's own fonts.
     pub fn missing_letters(&self) -> impl Iterator<Item = char> {
-        self.canvas.missing()
+        self.canvas.missing.iter().copied()
     }
 
     /// The drawing as PNG, with two pixels for each unit of the SVG. Its font is the built-in DejaVu Sans.
@@ -142,7 +138,7 @@ impl Drawing {
     /// # Errors
     /// [`RenderError`]: the picture is too large for the memory.
     pub fn png(&self) -> Result<Vec<u8>, RenderError> {
-        raster::png(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop())
+        raster::png(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop.as_ref())
     }
 
     /// The drawing as PDF: one page, as large as the SVG at 96 px to the inch. The letters are outlines from
@@ -151,7 +147,7 @@ impl Drawing {
     /// # Errors
     /// [`RenderError`]: the letters could not be laid out.
     pub fn pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::pdf(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop(), &self.title)
+        pdf::pdf(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop.as_ref(), &self.title)
     }
 
     /// The drawing in the given format.

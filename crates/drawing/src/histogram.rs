@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -54,8 +53,7 @@ impl HistogramPicture {
         let on = (&chart, &self.across, MOST[0]);
         let marks = IntervalMarks::new(&self.interval, ("central", &self.central), on, self.decimals);
 
-        let mut canvas = Canvas::new(NAME, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         let upward = Axis { title: self.upward.clone(), unit: 1.0 };
         chart.draw(&mut canvas, &self.across, &upward, MOST);
         chart.bars(&mut canvas, self.low, self.width, &self.shares);
@@ -67,9 +65,9 @@ impl HistogramPicture {
             (Sample::Line(BOUND), interval),
             (Sample::Line(AXIS), central),
         ];
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries) + 6.0;
         let description = format!("{} {}.", self.description, marks.words());
-        Drawing::new(NAME, format!("{}: histogram", self.title), description, canvas)
+        Drawing::new(format!("{}: histogram", self.title), description, canvas)
     }
 
     fn chart(&self) -> Chart {

@@ -2,7 +2,6 @@
 
 use kurbo::{BezPath, Point, Rect};
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample};
@@ -59,8 +58,7 @@ impl JointPicture {
     pub fn draw(&self) -> Drawing {
         let top = HEADER + ABOVE;
         let bottom = top + PLOT + BELOW;
-        let mut canvas = Canvas::new(self.name, PAGE, bottom + legend::height(3, 1) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, PAGE, &self.title, &self.subtitle);
         let [across, upward] = self.ends;
         let area = Rect::new(LEFT, top, LEFT + PLOT, top + PLOT);
         let chart = Chart { area, left: EDGE, across, upward };
@@ -79,8 +77,8 @@ impl JointPicture {
             (Sample::Line(REGIONS[0]), inner),
             (Sample::Line(REGIONS[1]), outer),
         ];
-        legend::legend(&mut canvas, bottom, 1, &entries);
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, bottom, 1, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// The contour at which the density is `level`: a piece for each cell of the grid that it crosses.

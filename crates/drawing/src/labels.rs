@@ -41,7 +41,7 @@ const CROSSED: f64 = 0.5;
 
 /// The allowed places of a label.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+enum Kind {
     /// Anywhere, even on an outline.
     Anywhere,
     /// Outside all outlines.
@@ -131,13 +131,27 @@ impl Placer {
         self.points.push(area);
     }
 
-    /// Keeps labels off an area: those that have to be outside all outlines, or all of them.
+    /// Keeps labels off an area: those of [`label_beside`](Self::label_beside), or all of them.
     pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
         self.areas.push(Area { outline: Outline::new(path), all });
     }
 
-    /// Adds a label of a point.
-    pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str, kind: Kind) {
+    /// Labels a point; the text is placed nearby.
+    pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.add(at, text, colour, Kind::Anywhere);
+    }
+
+    /// Labels a point from outside all outlines, with a line to it.
+    pub(crate) fn label_beside(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.add(at, text, colour, Kind::BesideOutlines);
+    }
+
+    /// Labels one of many points, which were given to [`protect`](Self::protect).
+    pub(crate) fn label_of_point(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.add(at, text, colour, Kind::OfPoint);
+    }
+
+    fn add(&mut self, at: Point, text: &str, colour: &'static str, kind: Kind) {
         self.labels.push(Label { at, text: text.to_owned(), colour, kind, within: None });
     }
 
@@ -405,7 +419,7 @@ mod tests {
         let mut placer = Placer::default();
         for (at, text) in points {
             placer.protect(symbol(*at));
-            placer.label(*at, text, "black", Kind::OfPoint);
+            placer.label_of_point(*at, text, "black");
         }
         let placed = placer.place(bounds).into_iter();
         placed
@@ -516,7 +530,7 @@ mod tests {
             for head in heads {
                 placer.protect(head);
             }
-            placer.label(at, "10", "black", kind);
+            placer.add(at, "10", "black", kind);
             let label = &placer.place(PAGE)[0];
             let area = text_area(label.base, &label.text, SMALL, Anchor::Start);
             assert!(heads.iter().all(|head| !overlap(area, *head)), "{kind:?}: {area:?}");
@@ -555,7 +569,7 @@ mod tests {
     fn a_line_without_end_is_no_obstacle() {
         let mut placer = Placer::default();
         placer.block(Point::ORIGIN, Point::new(f64::INFINITY, 0.0), 1.0);
-        placer.label(Point::new(100.0, 100.0), "7", "black", Kind::Anywhere);
+        placer.label(Point::new(100.0, 100.0), "7", "black");
         assert_eq!(placer.place(PAGE).len(), 1);
     }
 }

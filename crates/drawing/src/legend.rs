@@ -24,17 +24,24 @@ const SAMPLE: f64 = 40.0;
 /// (px) line height of the title, and of the lines below it.
 const LEADING: [f64; 2] = [22.0, 18.0];
 
+/// A page of this width (px) with a title and the lines below it.
+pub(crate) fn page(name: &'static str, width: f64, title: &str, below: &str) -> Canvas {
+    let mut canvas = Canvas::new(name, width);
+    header(&mut canvas, title, below);
+    canvas
+}
+
 /// Draws the title and the lines below it. Lines that do not fit above the picture extend the page upwards.
 pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
-    let most = canvas.size().0 - 2.0 * EDGE;
+    let most = canvas.width - 2.0 * EDGE;
     let below = below.lines().flat_map(|line| font::lines(line, SMALL, most)).map(|line| (line, SMALL, GREY));
     let lines: Vec<_> =
         font::lines(title, LARGE, most).into_iter().map(|line| (line, LARGE, BLACK)).chain(below).collect();
     // Each line has its room below it. There is always room for a title and one line.
     let room = |(_, size, _): &(String, f64, &'static str)| LEADING[usize::from(*size == SMALL)];
     let above = lines.iter().map(room).sum::<f64>() - LEADING.iter().sum::<f64>();
-    canvas.grow_up(above);
-    let mut base = 30.0 - above.max(0.0);
+    canvas.above = above.max(0.0);
+    let mut base = 30.0 - canvas.above;
     for line in &lines {
         let (words, size, colour) = line;
         canvas.text(Point::new(EDGE, base), words, *size, Anchor::Start, colour);
@@ -74,11 +81,11 @@ pub(crate) fn windscreen() -> (Sample, String) {
     (Sample::Windscreen(THIN), "windscreen: shows the front".to_owned())
 }
 
-/// The legend in columns of equal width, from `top` downwards.
-pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) {
+/// Draws the legend in columns of equal width, from `top` downwards. Returns where it ends (px).
+pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) -> f64 {
     let columns = columns.max(1);
-    let width = (canvas.size().0 - 2.0 * EDGE) / count(columns);
-    canvas.grid(Point::new(EDGE, top), Point::new(canvas.size().0 - EDGE, top), THIN);
+    let width = (canvas.width - 2.0 * EDGE) / count(columns);
+    canvas.grid(Point::new(EDGE, top), Point::new(canvas.width - EDGE, top), THIN);
     for (i, (sample, text)) in entries.iter().enumerate() {
         let (column, row) = (count(i % columns), count(i / columns));
         let (x, y) = (EDGE + column * width, top + (row + 0.8) * ROW);
@@ -113,6 +120,7 @@ pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
         let most = width - SAMPLE - 16.0;
         canvas.text(Point::new(left, y + 4.5), &font::cut(text, SMALL, most), SMALL, Anchor::Start, BLACK);
     }
+    top + ROW * (count(entries.len().div_ceil(columns)) + 0.5)
 }
 
 /// A cross: two strokes through a point, whose ends lie `reach` (px) across and down from it.
@@ -123,11 +131,6 @@ pub(crate) fn cross(at: Point, reach: f64) -> BezPath {
         path.line_to(at + arm);
     }
     path
-}
-
-/// (px) height of the given number of entries in columns.
-pub(crate) fn height(entries: usize, columns: usize) -> f64 {
-    ROW * (count(entries.div_ceil(columns.max(1))) + 0.5)
 }
 
 /// A bar of round length in a unit, at `pixels` per unit of SI. Returns the point to the right of its text.

@@ -54,8 +54,8 @@ impl<'a> IntervalMarks<'a> {
             let bottom = chart.at(mark.value, 0.0);
             let top = Point::new(bottom.x, strip.y1);
             canvas.line(id, bottom, top, *pen);
-            canvas.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
-            canvas.label_of_point(top, label, BLACK);
+            canvas.labels.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
+            canvas.labels.label_of_point(top, label, BLACK);
         }
         // Above all lines, so that none runs through a label.
         canvas.place_labels(strip.inset(-BESIDE));

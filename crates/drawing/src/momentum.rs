@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use crate::canvas::{Canvas, Head};
+use crate::canvas::Head;
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::count;
@@ -87,18 +87,16 @@ impl MomentumPicture {
 
         let area = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HEIGHT);
         let view = View::fit(area.inset(-MARGIN), LONGEST, |scale| {
-            let origin = Rect::from_points(Point::ZERO, Point::ZERO);
             let corners = sides.iter().enumerate().flat_map(|(k, side)| {
                 [side.from, side.from + vec2(side.arrow.vector)]
                     .map(|corner| (flipped(corner) * (scale / longest) + row(k)).to_point())
             });
-            corners.fold(origin, |bounds, corner| bounds.union_pt(corner))
+            plan::extent(std::iter::once(Point::ZERO).chain(corners))
         });
         let per_momentum = view.scale / longest;
         let at = |corner: Vec2, k: usize| view.origin + flipped(corner) * per_momentum + row(k);
 
-        let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
-        legend::header(&mut canvas, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
         if is_line {
             // Where the polygon is a line, grid lines join the ends that form one corner.
             for (k, side) in sides.iter().enumerate() {
@@ -112,17 +110,16 @@ impl MomentumPicture {
             let [from, to] = [side.from, side.from + vector].map(|corner| at(corner, k));
             if vector.hypot() > STANDS * longest {
                 canvas.arrow(side.id, from, to, side.pen, side.head);
-                canvas.label_beside(from.midpoint(to), &side.arrow.label, BLACK);
+                canvas.labels.label_beside(from.midpoint(to), &side.arrow.label, BLACK);
             } else {
-                canvas.label(from, &side.arrow.label, BLACK);
+                canvas.labels.label(from, &side.arrow.label, BLACK);
             }
         }
         if !is_line {
             canvas.dot("origin", at(Vec2::ZERO, 0), 3.0, None, BLACK);
         }
-        let drop = if self.is_z_down { 64.0 } else { 12.0 };
-        plan::axes(&mut canvas, Point::new(area.x1 - 62.0, area.y1 - drop), self.is_z_down);
-        canvas.protect(Rect::new(area.x1 - 76.0, area.y1 - 76.0, area.x1, area.y1));
+        plan::axes_in_corner(&mut canvas, area, self.is_z_down);
+        canvas.labels.protect(Rect::new(area.x1 - 76.0, area.y1 - 76.0, area.x1, area.y1));
         canvas.place_labels(area);
         let bar_row = area.y1 + 30.0;
         let bar = Point::new(EDGE + 4.0, bar_row);
@@ -136,10 +133,9 @@ impl MomentumPicture {
         if self.gap.is_some() {
             entries.push((Sample::Arrow(GAP, Head::Open), "what is left over after it".to_owned()));
         }
-        canvas.set_height(bar_row + 22.0 + legend::height(entries.len(), 3) + 10.0);
-        legend::legend(&mut canvas, bar_row + 22.0, 3, &entries);
+        canvas.height = legend::legend(&mut canvas, bar_row + 22.0, 3, &entries) + 10.0;
         let title = format!("{}: momentum polygon", self.title);
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     /// The sides, in the order from top to bottom that they have if the polygon is a line.

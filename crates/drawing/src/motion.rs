@@ -170,9 +170,8 @@ impl MotionPicture {
         });
         let (area, view) = given.unwrap_or_else(|| self.fitted(widest));
 
-        let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
         let below = format!("Plan view from approach to rest, to scale\n{}", self.caveat);
-        legend::header(&mut canvas, &self.title, &below);
+        let canvas = legend::page(NAME, WIDTH, &self.title, &below);
         let mut page = Page { canvas, motion: self, area, view, step: self.step() };
         page.ground();
         // Marks lie above the vehicle that begins to make them, and below the one that has made them.
@@ -250,10 +249,8 @@ impl MotionPicture {
     }
 
     fn wall_ends(&self, contact: Contact) -> [f64; 2] {
-        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| {
-            let MotionVehicle { body, cg, forward, .. } = vehicle.as_ref()?;
-            body.outline_in(Pose::new(*cg, *forward))
-        }))
+        let outline = |vehicle: &MotionVehicle| vehicle.body.outline_in(vehicle.at_impact());
+        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(outline)))
     }
 
     /// (px) extent of the picture, around the origin of the scene.
@@ -372,10 +369,7 @@ impl MotionVehicle {
             let [from, to] = pair else { continue };
             let step = (vec2(to.cg) - vec2(from.cg)).hypot();
             if step > 0.0 && gone + step >= way {
-                let share = (way - gone) / step;
-                let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
-                let forward = unit(between(from.forward, to.forward));
-                return Some(Pose { cg: between(from.cg, to.cg), forward });
+                return Some(from.towards(to, (way - gone) / step));
             }
             gone += step;
         }
@@ -389,9 +383,7 @@ impl MotionVehicle {
         let Some(last) = after.checked_sub(1).and_then(|before| self.path.get(before)) else {
             return (next.time <= time).then(|| Pose::new(next.cg, next.forward));
         };
-        let share = (time - last.time) / (next.time - last.time);
-        let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
-        Some(Pose { cg: between(last.cg, next.cg), forward: unit(between(last.forward, next.forward)) })
+        Some(last.towards(next, (time - last.time) / (next.time - last.time)))
     }
 
     fn pose_at_any(&self, time: f64) -> Pose {
@@ -412,6 +404,14 @@ impl MotionVehicle {
         let reach = reach.fold(0.0, f64::max) * view.scale + BEFORE_VEHICLE;
         let back = |length: f64| view.at(pose.cg) - flipped(direction) * length;
         Some((back(reach + APPROACH_LENGTH), back(reach)))
+    }
+}
+
+impl MotionPoint {
+    /// The pose at a share of the straight way from here to there.
+    fn towards(&self, to: &Self, share: f64) -> Pose {
+        let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
+        Pose { cg: between(self.cg, to.cg), forward: unit(between(self.forward, to.forward)) }
     }
 }
 
@@ -436,7 +436,7 @@ impl Page<'_> {
         if let Some(plan) = &self.motion.site_plan {
             let page_of_scene = Affine::translate(self.view.origin.to_vec2())
                 * Affine::scale_non_uniform(self.view.scale, -self.view.scale);
-            self.canvas.set_backdrop(Backdrop::new(plan, page_of_scene, self.area));
+            self.canvas.backdrop = Some(Backdrop::new(plan, page_of_scene, self.area));
         }
         for (k, zone) in self.zones() {
             let name = format!("ground-{}", k + 1);
@@ -460,7 +460,7 @@ impl Page<'_> {
     fn names_of_ground(&mut self) {
         for (k, zone) in self.zones() {
             let text = font::cut(&self.motion.ground[k].label, SMALL, 320.0);
-            self.canvas.label_within(&zone, zone.bounding_box().center(), &text, BLACK);
+            self.canvas.labels.label_within(&zone, zone.bounding_box().center(), &text, BLACK);
         }
     }
 
@@ -474,32 +474,15 @@ impl Page<'_> {
         let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
         let body = self.view.place(pose) * footprint.left_by(crush.as_ref());
         self.canvas.path("", &body, None, fill);
-        self.canvas.keep_off(&body, false);
+        self.canvas.labels.keep_off(&body, false);
     }
 
     /// Draws its body at impact, or the fixed object.
     fn at_impact(&mut self, vehicle: &MotionVehicle, i: usize) {
-        let fixed = match (&vehicle.body, self.motion.contact()) {
-            (SceneBody::Outline { footprint, .. }, _) if footprint.shape == BodyShape::Fixed => {
-                Some(self.view.place(vehicle.at_impact()) * footprint.outline())
-            }
-            (SceneBody::Outline { .. }, _) => {
-                self.filled(vehicle, vehicle.at_impact(), FILL[i]);
-                None
-            }
-            (SceneBody::Pole { diameter }, Some(contact)) => {
-                Some(contact.drawn_pole(*diameter, i, self.view))
-            }
-            (SceneBody::Wall, Some(contact)) => {
-                contact.drawn_wall(self.motion.wall_ends(contact), i, self.view)
-            }
-            _ => None,
-        };
-        if let Some(fixed) = fixed {
-            self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
-            let fill = self.canvas.pattern("fixed");
-            self.canvas.path(&format!("impact-{}", i + 1), &fixed, Some(THIN), &fill);
-            self.canvas.keep_off(&fixed, true);
+        let contact = self.motion.contact().map(|contact| (contact, self.motion.wall_ends(contact)));
+        match vehicle.body.fixed_on(self.view, vehicle.at_impact(), contact, i) {
+            Some(fixed) => plan::fixed(&mut self.canvas, &format!("impact-{}", i + 1), &fixed),
+            None => self.filled(vehicle, vehicle.at_impact(), FILL[i]),
         }
     }
 
@@ -605,20 +588,20 @@ impl Page<'_> {
         let cross = legend::cross(at, IMPACT);
         self.canvas.path("", &cross, Some(Pen { width: 5.0, colour: WHITE, dashes: "" }), "none");
         self.canvas.path("impact", &cross, Some(IMPACT_PEN), "none");
-        self.canvas.protect(Rect::from_center_size(at, (2.0 * IMPACT, 2.0 * IMPACT)));
+        self.canvas.labels.protect(Rect::from_center_size(at, (2.0 * IMPACT, 2.0 * IMPACT)));
     }
 
     fn labels(&mut self, vehicle: &MotionVehicle, i: usize) {
         if let Some((tail, _)) = vehicle.approach_arrow(self.view)
             && let Some(approach) = &vehicle.approach
         {
-            self.canvas.label_beside(tail, &approach.label, BLACK);
+            self.canvas.labels.label_beside(tail, &approach.label, BLACK);
         }
         for rest in [&vehicle.rest, &vehicle.measured_rest].into_iter().flatten() {
-            self.canvas.label_beside(self.view.at(vec2(rest.cg)), &rest.label, BLACK);
+            self.canvas.labels.label_beside(self.view.at(vec2(rest.cg)), &rest.label, BLACK);
         }
         for point in &vehicle.measured_points {
-            self.canvas.label_of_point(self.view.at(vec2(point.at)), &point.label, BLACK);
+            self.canvas.labels.label_of_point(self.view.at(vec2(point.at)), &point.label, BLACK);
         }
         let at = match (&vehicle.body, self.motion.contact()) {
             (SceneBody::Pole { diameter }, Some(contact)) => contact.pole(*diameter, i),
@@ -628,7 +611,7 @@ impl Page<'_> {
             }
             _ => vec2(vehicle.cg),
         };
-        self.canvas.label_beside(self.view.at(at), &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
+        self.canvas.labels.label_beside(self.view.at(at), &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
     }
 
     /// Draws scales and legend.
@@ -652,10 +635,9 @@ impl Page<'_> {
             bottom = row + if motion.is_z_down { 60.0 } else { 44.0 };
         }
         let entries = self.entries();
-        self.canvas.set_height(bottom + legend::height(entries.len(), 3) + 10.0);
-        legend::legend(&mut self.canvas, bottom, 3, &entries);
+        self.canvas.height = legend::legend(&mut self.canvas, bottom, 3, &entries) + 10.0;
         let title = format!("{}: motion from approach to rest", motion.title);
-        Drawing::new(NAME, title, motion.description.clone(), self.canvas)
+        Drawing::new(title, motion.description.clone(), self.canvas)
     }
 
     fn entries(&self) -> Vec<(Sample, String)> {

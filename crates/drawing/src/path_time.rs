@@ -3,7 +3,6 @@
 
 use kurbo::{Point, Rect};
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -91,16 +90,14 @@ impl PathTimePicture {
             entries
                 .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
         }
-        let height = PLOT.y1 + BELOW + legend::height(entries.len(), 2) + 6.0;
-        let mut canvas = Canvas::new(NAME, WIDTH, height);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
         chart.draw(&mut canvas, &self.time, &self.way, MOST);
 
         if let Some((times, _)) = &self.zone {
             let [from, to] = times.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
             let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
-            canvas.protect(bar);
+            canvas.labels.protect(bar);
             canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
         }
         canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
@@ -126,16 +123,16 @@ impl PathTimePicture {
         }
         let at = chart.at(self.impact.0, 0.0);
         canvas.dot("impact", at, 5.0, None, BLACK);
-        canvas.label(at, &self.impact.1, BLACK);
+        canvas.labels.label(at, &self.impact.1, BLACK);
         let demand = chart
             .at(0.0, self.courses.first().and_then(|course| course.points.first()).map_or(0.0, |at| at[1]));
         canvas.dot("demand", demand, 5.0, None, GREY);
         canvas.line("demand-line", chart.at(0.0, self.reach[0]), chart.at(0.0, self.reach[1]), BOUND);
-        canvas.label(demand, &self.demand, BLACK);
+        canvas.labels.label(demand, &self.demand, BLACK);
         canvas.place_labels(PLOT.inset(-2.0));
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries) + 6.0;
         let title = format!("{}: {}", self.title, self.subtitle.lines().next().unwrap_or_default());
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     /// The points of a line within the plot, cut at its upper end.

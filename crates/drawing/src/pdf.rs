@@ -38,7 +38,7 @@ pub(crate) fn pdf(
     title: &str,
 ) -> Result<Vec<u8>, RenderError> {
     let tree = raster::tree(svg)?;
-    let picture = backdrop.map(|backdrop| Picture::of(backdrop.plan())).transpose();
+    let picture = backdrop.map(|backdrop| Picture::of(&backdrop.plan)).transpose();
     let picture = picture.map_err(|error| RenderError(error.to_string()))?;
     Ok(document(&tree, top, backdrop.zip(picture.as_ref()), title))
 }
@@ -81,8 +81,7 @@ fn document(tree: &Tree, top: f64, backdrop: Option<(&Backdrop, &Picture<'_>)>, 
     let next = Ref::new(PATTERN.get() + i32::try_from(patterns.len()).unwrap_or_default());
     let (image, faded) = (next, next.next());
     if let Some((backdrop, picture)) = backdrop {
-        let [columns, rows] =
-            backdrop.plan().pixels().map(|number| i32::try_from(number).unwrap_or(i32::MAX));
+        let [columns, rows] = backdrop.plan.pixels.map(|number| i32::try_from(number).unwrap_or(i32::MAX));
         let mut written = pdf.image_xobject(image, &picture.samples);
         written.width(columns).height(rows).bits_per_component(8).filter(picture.filter);
         match picture.is_grey {
@@ -126,9 +125,9 @@ struct Picture<'a> {
 
 impl<'a> Picture<'a> {
     fn of(plan: &'a SitePlan) -> Result<Self, SitePlanError> {
-        Ok(match plan.encoding() {
+        Ok(match plan.encoding {
             Encoding::Jpeg { is_grey } => {
-                Self { samples: plan.bytes().into(), filter: Filter::DctDecode, is_grey }
+                Self { samples: Cow::Borrowed(&plan.bytes), filter: Filter::DctDecode, is_grey }
             }
             Encoding::Png => {
                 let pixels = plan.decoded()?;
@@ -143,12 +142,12 @@ impl<'a> Picture<'a> {
 
 impl<'a> Painter<'a> {
     fn backdrop(&mut self, backdrop: &Backdrop, top: f64) {
-        let frame = backdrop.frame();
+        let frame = backdrop.frame;
         #[expect(clippy::cast_possible_truncation, reason = "numbers of the page")]
         let [x, y, width, height] =
             [frame.x0, frame.y0 - top, frame.width(), frame.height()].map(|number| number as f32);
         #[expect(clippy::cast_possible_truncation, reason = "numbers of the page")]
-        let [a, b, c, d, e, f] = backdrop.page_of_plan().map(|number| number as f32);
+        let [a, b, c, d, e, f] = backdrop.page_of_plan.map(|number| number as f32);
         #[expect(clippy::cast_possible_truncation, reason = "a number of the page")]
         let place = Transform::from_row(a, b, c, d, e, f - top as f32);
         // The unit square of an image in a PDF has y upwards (ISO 32000-1, 8.9.5.1).

@@ -7,7 +7,7 @@ use crate::canvas::{Canvas, Head};
 use crate::font::{Anchor, SMALL};
 use crate::footprint::{BodyShape, placed};
 use crate::legend::Sample;
-use crate::pens::{FILL, GREY, OUTLINE, Pen, THIN};
+use crate::pens::{FILL, GREY, OUTLINE, PALE, Pen, THIN};
 use crate::vector::{flipped, polygon, unit, vec2};
 
 /// (m) how far the wall drawn for a fixed object of unknown extent extends beyond the vehicle at it, its
@@ -58,6 +58,30 @@ impl SceneBody {
             (Self::Wall, Some(ends)) if !is_drawn(ends) => Sample::Nothing,
             (Self::Unknown, _) | (Self::Wall | Self::Pole { .. }, None) => Sample::Nothing,
             _ => Sample::Box(THIN, canvas.pattern("fixed")),
+        }
+    }
+
+    /// The fixed object that is body `i`, on the page: a pole or a wall only if the contact is known, with
+    /// the ends (m) of a wall there, and a wall only if it is long enough to be drawn.
+    pub(crate) fn fixed_on(
+        &self,
+        view: View,
+        pose: Pose,
+        contact: Option<(Contact, [f64; 2])>,
+        i: usize,
+    ) -> Option<BezPath> {
+        match (self, contact) {
+            (Self::Outline { footprint, .. }, _) if footprint.shape == BodyShape::Fixed => {
+                Some(view.place(pose) * footprint.outline())
+            }
+            (Self::Pole { diameter }, Some((contact, _))) => {
+                let radius = 0.5 * diameter * view.scale;
+                Some(Circle::new(view.at(contact.pole(*diameter, i)), radius).to_path(1e-2))
+            }
+            (Self::Wall, Some((contact, ends))) => {
+                is_drawn(ends).then(|| polygon(contact.wall(ends, i).map(|corner| view.at(corner))))
+            }
+            _ => None,
         }
     }
 }
@@ -176,16 +200,6 @@ impl Contact {
         }
     }
 
-    /// The wall on the page, if it is long enough to be drawn.
-    pub(crate) fn drawn_wall(self, ends: [f64; 2], i: usize, view: View) -> Option<BezPath> {
-        is_drawn(ends).then(|| polygon(self.wall(ends, i).map(|corner| view.at(corner))))
-    }
-
-    /// The pole on the page.
-    pub(crate) fn drawn_pole(self, diameter: f64, i: usize, view: View) -> BezPath {
-        Circle::new(view.at(self.pole(diameter, i)), 0.5 * diameter * view.scale).to_path(1e-2)
-    }
-
     /// (m) the outline of a pole, or of a wall with these ends; `None` for a body with its own shape.
     pub(crate) fn outline(self, body: &SceneBody, ends: [f64; 2], i: usize) -> Option<BezPath> {
         match body {
@@ -208,6 +222,21 @@ pub(crate) fn extent(points: impl IntoIterator<Item = Point>) -> Rect {
     let mut points = points.into_iter();
     let first = points.next().unwrap_or_default();
     points.fold(Rect::from_points(first, first), |extent, point| extent.union_pt(point))
+}
+
+/// Draws a fixed object.
+pub(crate) fn fixed(canvas: &mut Canvas, id: &str, area: &BezPath) {
+    canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
+    let fill = canvas.pattern("fixed");
+    canvas.path(id, area, Some(THIN), &fill);
+    // Letters are illegible on stripes.
+    canvas.labels.keep_off(area, true);
+}
+
+/// Draws the axes of the scene in the lower right corner of an area.
+pub(crate) fn axes_in_corner(canvas: &mut Canvas, area: Rect, is_z_down: bool) {
+    let drop = if is_z_down { 64.0 } else { 12.0 };
+    axes(canvas, Point::new(area.x1 - 62.0, area.y1 - drop), is_z_down);
 }
 
 /// Draws the axes of the scene, 40 px long.

@@ -2,7 +2,6 @@
 
 use kurbo::Rect;
 
-use crate::canvas::Canvas;
 use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
@@ -47,8 +46,7 @@ impl RanksPicture {
     pub fn draw(&self) -> Drawing {
         let most = self.counts.iter().copied().fold(self.band[1], f64::max) * BEYOND;
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, 1.0], upward: [0.0, most] };
-        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         chart.bars(&mut canvas, 0.0, 1.0 / count(self.counts.len().max(1)), &self.counts);
         let [low, high] = self.band;
@@ -63,7 +61,7 @@ impl RanksPicture {
             (Sample::Line(AXIS), expected),
             (Sample::Line(BOUND), band),
         ];
-        legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 }

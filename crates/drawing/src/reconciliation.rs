@@ -67,8 +67,8 @@ impl ReconciliationPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
-        let mut canvas = Canvas::new(NAME, WIDTH, HEIGHT);
-        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
+        let mut canvas =
+            legend::page(NAME, WIDTH, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         chart.draw(&mut canvas, &self.speed, &self.work, MOST);
 
         self.curve(&chart, &mut canvas, "sought", LEVEL, |point| point.sought);
@@ -76,7 +76,7 @@ impl ReconciliationPicture {
         for (speed, label) in &self.others {
             let at = chart.at(*speed, self.sought_at(*speed));
             canvas.dot("", at, 6.0, Some(ROOT), WHITE);
-            canvas.label(at, label, BLACK);
+            canvas.labels.label(at, label, BLACK);
         }
         let root = chart.at(self.found[0], self.found[1]);
         canvas.line("", root, Point::new(root.x, PLOT.y1), Pen { dashes: "2 3", ..THIN });
@@ -87,7 +87,7 @@ impl ReconciliationPicture {
             let at = Point::new(chart.at(*speed, 0.0).x, top);
             canvas.dot("", at, 3.0, Some(THIN), WHITE);
         }
-        canvas.label(root, &self.found_label, BLACK);
+        canvas.labels.label(root, &self.found_label, BLACK);
         canvas.place_labels(PLOT.inset(-2.0));
 
         let mut entries = vec![
@@ -100,8 +100,9 @@ impl ReconciliationPicture {
             entries.push((Sample::Dot(Some(THIN), WHITE), steps));
         }
         legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);
+        canvas.height = HEIGHT;
         let title = format!("{}: reconciliation", self.title);
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(title, self.description.clone(), canvas)
     }
 
     fn chart(&self) -> Chart {

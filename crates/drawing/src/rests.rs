@@ -2,7 +2,6 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::footprint::Footprint;
@@ -66,9 +65,7 @@ impl RestsPicture {
             Rect::from_points(corners[0].to_point(), corners[1].to_point())
         });
         let page = |place: [f64; 2]| view.origin + flipped(vec2(place)) * view.scale;
-        let entries = self.vehicles.len() + 2;
-        let mut canvas = Canvas::new(self.name, WIDTH, ROOM.y1 + 40.0 + legend::height(entries, 2) + 6.0);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         for (i, vehicle) in &self.vehicles {
             for draw in &vehicle.draws {
                 canvas.dot("", page(*draw), RADIUS, None, DRAWS[i % 2]);
@@ -94,12 +91,12 @@ impl RestsPicture {
                 }
             }
             canvas.centre_of_gravity(&format!("cg-{}", i + 1), page(position));
-            canvas.label_of_point(page(position), &vehicle.label, OUTLINE[i % 2].colour);
+            canvas.labels.label_of_point(page(position), &vehicle.label, OUTLINE[i % 2].colour);
         }
         let cross = legend::cross(page(self.impact), 7.0);
         let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
         canvas.path("impact", &cross, Some(pen), "none");
-        canvas.label_of_point(page(self.impact), "impact", GREY);
+        canvas.labels.label_of_point(page(self.impact), "impact", GREY);
         canvas.place_labels(ROOM.inset(6.0));
         let base = ROOM.y1 + 22.0;
         legend::scale_bar(&mut canvas, "scale", Point::new(EDGE, base), view.scale, &self.scale, "");
@@ -117,8 +114,8 @@ impl RestsPicture {
             .collect();
         entries.push((Sample::Line(MEASURED), "outline where it was found".to_owned()));
         entries.push((Sample::Cross(pen), "place of the impact".to_owned()));
-        legend::legend(&mut canvas, ROOM.y1 + 40.0, 2, &entries);
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, ROOM.y1 + 40.0, 2, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// (m) the extent that has to fit.

@@ -77,9 +77,7 @@ impl ScatterPicture {
         let has_titles = self.panels.iter().any(|panel| !panel.title.is_empty());
         let top = HEADER + ABOVE + if has_titles { TITLE } else { 0.0 };
         let bottom = top + PLOT + BELOW;
-        let height = bottom + legend::height(self.legend.len() + 1, columns) + 6.0;
-        let mut canvas = Canvas::new(self.name, page, height);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(self.name, page, &self.title, &self.subtitle);
         let end = self.end();
         let mut left = EDGE;
         for (number, panel) in (1_usize..).zip(&self.panels) {
@@ -94,8 +92,8 @@ impl ScatterPicture {
         let mut entries: Vec<(Sample, String)> =
             self.legend.iter().map(|(symbol, words)| (Sample::Symbol(*symbol), words.clone())).collect();
         entries.push((Sample::Line(EQUALITY), self.equality.clone()));
-        legend::legend(&mut canvas, bottom, columns, &entries);
-        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, bottom, columns, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// The end of both axes: a round number beyond all points.
@@ -122,7 +120,7 @@ impl ScatterPanel {
         }
         for point in &self.points {
             if let Some(label) = &point.label {
-                canvas.label_of_point(chart.at(point.at[0], point.at[1]), label, BLACK);
+                canvas.labels.label_of_point(chart.at(point.at[0], point.at[1]), label, BLACK);
             }
         }
         canvas.place_labels(chart.area.inset(-2.0));

@@ -9,8 +9,7 @@ use crate::font::{self, SMALL};
 use crate::footprint::BodyShape;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{
-    AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
-    undamaged,
+    AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PDOF, PLANE, Pen, undamaged,
 };
 use crate::plan::{self, Contact, Pose, View};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
@@ -124,10 +123,9 @@ impl ScenePicture {
         let origin = view.origin;
 
         let bar_row = HEADER + SCENE + 30.0;
-        let canvas = Canvas::new(NAME, WIDTH, bar_row);
-        let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         let below = format!("Plan view at impact, to scale\n{}", self.caveat);
-        legend::header(&mut page.canvas, &self.title, &below);
+        let canvas = legend::page(NAME, WIDTH, &self.title, &below);
+        let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         // The bodies overlap: all areas are drawn first, so that no edge is hidden, and fixed objects below
         // the vehicles that drove into them.
         for is_fixed in [true, false] {
@@ -148,7 +146,7 @@ impl ScenePicture {
             // Placed before the other values: it has the fewest places, its arrow mostly being on both
             // vehicles.
             if let (Some(impulse), Some(tip)) = (&self.impulse, page.tip_of_impulse()) {
-                page.canvas.label_beside(tip, &impulse.label, BLACK);
+                page.canvas.labels.label_beside(tip, &impulse.label, BLACK);
             }
         }
         for (i, vehicle) in self.vehicles.iter().enumerate() {
@@ -163,15 +161,14 @@ impl ScenePicture {
             page.name(vehicle, i);
         }
         if !self.is_plain {
-            page.frame();
+            plan::axes_in_corner(&mut page.canvas, area(), self.is_z_down);
         }
         page.canvas.place_labels(area());
         page.scales(bar_row, &arrows);
         let entries = page.entries();
-        page.canvas.set_height(bar_row + 22.0 + legend::height(entries.len(), 3) + 10.0);
-        legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries);
+        page.canvas.height = legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries) + 10.0;
         let title = format!("{}: plan view at impact", self.title);
-        (Drawing::new(NAME, title, self.description.clone(), page.canvas), self.plan_view(view))
+        (Drawing::new(title, self.description.clone(), page.canvas), self.plan_view(view))
     }
 
     fn plan_view(&self, view: View) -> PlanView {
@@ -221,8 +218,7 @@ impl ScenePicture {
                     points.extend(arrows.of_vehicle(motion).map(|arrow| cg + arrow));
                 }
             }
-            let start = Rect::from_points(Point::ZERO, Point::ZERO);
-            points.iter().fold(start, |bounds, point| bounds.union_pt(point.to_point()))
+            plan::extent(points.into_iter().map(Vec2::to_point))
         };
         View::fit(room, LARGEST, bounds)
     }
@@ -303,34 +299,18 @@ impl Page<'_> {
         };
         let (a, b) = (reach(-t), reach(t));
         self.canvas.line("crush-plane", a, b, PLANE);
-        self.canvas.label(b, "crush plane", GREY);
+        self.canvas.labels.label(b, "crush plane", GREY);
     }
 
     fn area(&mut self, vehicle: &SceneVehicle, i: usize) {
-        let id = format!("outline-{}", i + 1);
-        let fixed = match &vehicle.body {
-            SceneBody::Outline { footprint, .. } if footprint.shape == BodyShape::Fixed => {
-                self.view.place(vehicle.pose()) * footprint.outline()
-            }
-            SceneBody::Outline { footprint, crush } => {
-                let there = self.view.place(vehicle.pose());
-                let whole = there * footprint.outline();
-                self.canvas.path("", &(there * footprint.left_by(crush.as_ref())), None, FILL[i]);
-                self.canvas.keep_off(&whole, false);
-                return;
-            }
-            SceneBody::Pole { diameter } => self.scene.contact().drawn_pole(*diameter, i, self.view),
-            SceneBody::Wall => match self.scene.contact().drawn_wall(self.wall, i, self.view) {
-                Some(wall) => wall,
-                None => return,
-            },
-            SceneBody::Unknown => return,
-        };
-        self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
-        let fill = self.canvas.pattern("fixed");
-        self.canvas.path(&id, &fixed, Some(THIN), &fill);
-        // Letters are illegible on stripes.
-        self.canvas.keep_off(&fixed, true);
+        let contact = Some((self.scene.contact(), self.wall));
+        if let Some(fixed) = vehicle.body.fixed_on(self.view, vehicle.pose(), contact, i) {
+            plan::fixed(&mut self.canvas, &format!("outline-{}", i + 1), &fixed);
+        } else if let SceneBody::Outline { footprint, crush } = &vehicle.body {
+            let there = self.view.place(vehicle.pose());
+            self.canvas.path("", &(there * footprint.left_by(crush.as_ref())), None, FILL[i]);
+            self.canvas.labels.keep_off(&(there * footprint.outline()), false);
+        }
     }
 
     fn edge(&mut self, vehicle: &SceneVehicle, i: usize) {
@@ -362,11 +342,11 @@ impl Page<'_> {
         for (name, direction) in [("n", n), ("t", t)] {
             let tip = origin + flipped(direction) * AXES;
             self.canvas.arrow(name, origin, tip, AXIS, Head::Open);
-            self.canvas.label(tip, name, BLACK);
+            self.canvas.labels.label(tip, name, BLACK);
         }
         self.canvas.dot("contact", origin, CONTACT, None, BLACK);
-        self.canvas.protect(Rect::from_center_size(origin, (2.0 * CONTACT, 2.0 * CONTACT)));
-        self.canvas.label(origin, "C", BLACK);
+        self.canvas.labels.protect(Rect::from_center_size(origin, (2.0 * CONTACT, 2.0 * CONTACT)));
+        self.canvas.labels.label(origin, "C", BLACK);
     }
 
     fn vehicle(&mut self, vehicle: &SceneVehicle, arrows: &Arrows, i: usize) {
@@ -383,7 +363,7 @@ impl Page<'_> {
             self.canvas.dot(&format!("cg-{}", i + 1), cg, CONTACT, None, BLACK);
         } else {
             self.canvas.centre_of_gravity(&format!("cg-{}", i + 1), cg);
-            self.canvas.label(cg, ["CG₁", "CG₂"][i], BLACK);
+            self.canvas.labels.label(cg, ["CG₁", "CG₂"][i], BLACK);
         }
     }
 
@@ -410,7 +390,7 @@ impl Page<'_> {
             }
             SceneBody::Unknown => self.at(vec2(vehicle.cg)),
         };
-        self.canvas.label(at, &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
+        self.canvas.labels.label(at, &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
     }
 
     fn motion(&mut self, motion: &SceneMotion, arrows: &Arrows, cg: Point, i: usize) {
@@ -418,7 +398,7 @@ impl Page<'_> {
         if !self.scene.is_plain {
             let tip = cg + unit(tail) * 9.0;
             self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, tip, PDOF, Head::Open);
-            self.canvas.label_beside(cg + tail, &motion.force_from.label, BLACK);
+            self.canvas.labels.label_beside(cg + tail, &motion.force_from.label, BLACK);
         }
         for (id, given, arrow, pen, head) in [
             ("before", &motion.before, before, BEFORE, Head::Filled),
@@ -428,15 +408,8 @@ impl Page<'_> {
                 continue;
             }
             self.canvas.arrow(&format!("velocity-{id}-{}", i + 1), cg, cg + arrow, pen, head);
-            self.canvas.label_beside(cg + arrow, &given.label, BLACK);
+            self.canvas.labels.label_beside(cg + arrow, &given.label, BLACK);
         }
-    }
-
-    /// Draws the axes of the scene, in a corner.
-    fn frame(&mut self) {
-        let drop = if self.scene.is_z_down { 64.0 } else { 12.0 };
-        let at = Point::new(area().x1 - 62.0, area().y1 - drop);
-        plan::axes(&mut self.canvas, at, self.scene.is_z_down);
     }
 
     fn scales(&mut self, y: f64, arrows: &Arrows) {

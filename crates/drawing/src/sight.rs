@@ -3,7 +3,6 @@
 
 use kurbo::{Point, Rect};
 
-use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
@@ -48,9 +47,7 @@ impl SightPicture {
             entries.push((Sample::Box(THIN, PALE.to_owned()), "obstacle".to_owned()));
         }
         entries.extend(self.line.iter().map(|(_, legend)| (Sample::Line(BOUND), legend.clone())));
-        let height = ROOM.y1 + 46.0 + legend::height(entries.len(), 2) + 6.0;
-        let mut canvas = Canvas::new(NAME, WIDTH, height);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         let view = View::fit(ROOM, LARGEST, |scale| self.bounds(scale));
         let page = |at: [f64; 2]| view.at(vec2(at));
         for (k, (corners, name)) in self.obstacles.iter().enumerate() {
@@ -64,7 +61,7 @@ impl SightPicture {
             canvas.path(&format!("way-{}", i + 1), &polyline(points.iter().copied()), Some(PATH[i]), "none");
             for (k, (at, (_, time))) in points.iter().zip(way).enumerate() {
                 canvas.dot(&format!("place-{}-{}", i + 1, k + 1), *at, 3.5, None, OUTLINE[i].colour);
-                canvas.label(*at, time, OUTLINE[i].colour);
+                canvas.labels.label(*at, time, OUTLINE[i].colour);
             }
         }
         if let Some((ends, _)) = &self.line {
@@ -77,8 +74,8 @@ impl SightPicture {
         canvas.place_labels(ROOM.inset(10.0));
         let base = ROOM.y1 + 26.0;
         legend::scale_bar(&mut canvas, "scale", Point::new(EDGE, base), view.scale, &self.scale, "");
-        legend::legend(&mut canvas, ROOM.y1 + 46.0, 2, &entries);
-        Drawing::new(NAME, self.title.clone(), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, ROOM.y1 + 46.0, 2, &entries) + 6.0;
+        Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
     /// (px) the extent at a scale.

@@ -28,10 +28,10 @@ const MOST_SIDE: usize = 65_535;
 /// A PNG or a JPEG with its place in the scene.
 #[derive(Clone, PartialEq)]
 pub struct SitePlan {
-    bytes: Arc<[u8]>,
-    encoding: Encoding,
+    pub(crate) bytes: Arc<[u8]>,
+    pub(crate) encoding: Encoding,
     /// (px) across and down.
-    pixels: [u32; 2],
+    pub(crate) pixels: [u32; 2],
     place: PlanPlace,
 }
 
@@ -134,18 +134,6 @@ impl SitePlan {
         let plan = Self { bytes: bytes.into(), encoding, pixels, place };
         plan.decoded()?;
         Ok(plan)
-    }
-
-    pub(crate) fn bytes(&self) -> &[u8] {
-        &self.bytes
-    }
-
-    pub(crate) fn encoding(&self) -> Encoding {
-        self.encoding
-    }
-
-    pub(crate) fn pixels(&self) -> [u32; 2] {
-        self.pixels
     }
 
     /// Its pixels, on white where the picture is transparent.
@@ -275,11 +263,11 @@ fn exif_orientation(tiff: &[u8]) -> Option<u16> {
 /// A site plan on a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Backdrop {
-    plan: SitePlan,
+    pub(crate) plan: SitePlan,
     /// Transform from the unit square, whose y points downwards, to the page (px), as written to the SVG.
-    page_of_plan: [f64; 6],
+    pub(crate) page_of_plan: [f64; 6],
     /// (px) nothing outside this is visible.
-    frame: Rect,
+    pub(crate) frame: Rect,
 }
 
 impl Backdrop {
@@ -289,18 +277,6 @@ impl Backdrop {
         // In hundredths of a pixel, as in an SVG, so that all formats agree.
         let page_of_plan = page_of_plan.map(|number| (number * 100.0).round() / 100.0);
         Self { plan: plan.clone(), page_of_plan, frame }
-    }
-
-    pub(crate) fn plan(&self) -> &SitePlan {
-        &self.plan
-    }
-
-    pub(crate) fn page_of_plan(&self) -> [f64; 6] {
-        self.page_of_plan
-    }
-
-    pub(crate) fn frame(&self) -> Rect {
-        self.frame
     }
 
     /// The `id`s of its shapes begin with `name`.

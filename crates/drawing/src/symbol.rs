@@ -67,6 +67,6 @@ impl Symbol {
         } else {
             canvas.path(id, &path, Some(pen), fill);
         }
-        canvas.protect(Rect::from_center_size(at, (2.0 * HALF, 2.0 * HALF)));
+        canvas.labels.protect(Rect::from_center_size(at, (2.0 * HALF, 2.0 * HALF)));
     }
 }

@@ -77,7 +77,7 @@ impl TornadoPicture {
     pub fn draw(&self) -> Drawing {
         let columns = self.columns();
         let bottom = HEADER + STEP * count(self.bars.len()) + BESIDE;
-        let mut canvas = Canvas::new(NAME, columns.page, bottom + BELOW + legend::height(2, 3) + 6.0);
+        let mut canvas = Canvas::new(NAME, columns.page);
         canvas.define_stripes("stripes", LOW.colour, FILL[1], 45, 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let stripes = canvas.pattern("stripes");
@@ -91,8 +91,8 @@ impl TornadoPicture {
         canvas.text(Point::new(middle, bottom + 20.0), &self.central_label, SMALL, Anchor::Middle, BLACK);
         let [low, high] = self.legend.clone();
         let entries = [(Sample::Box(LOW, stripes), low), (Sample::Box(HIGH, FILL[0].to_owned()), high)];
-        legend::legend(&mut canvas, bottom + BELOW, 3, &entries);
-        Drawing::new(NAME, format!("{}: tornado", self.title), self.description.clone(), canvas)
+        canvas.height = legend::legend(&mut canvas, bottom + BELOW, 3, &entries) + 6.0;
+        Drawing::new(format!("{}: tornado", self.title), self.description.clone(), canvas)
     }
 
     fn columns(&self) -> Columns {

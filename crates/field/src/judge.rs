@@ -8,6 +8,7 @@ use evidence::{Collision, CollisionModel, DrawnOutput, Fitted, InjuryRisk, shown
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
+use uncertainty::InvalidDistribution;
 
 use crate::crash::{Crash, KnownCrush, PairKind};
 use crate::error::FieldError;
@@ -192,19 +193,47 @@ pub fn judge_by<C: Crash>(
     Ok(Field { other, objects, injured, pairs: pairs.len(), finished, doubted, judged, groups })
 }
 
-/// The posterior of a collision, and whether its run converged; the reason in words if there is none.
-pub(crate) fn posterior(collision: &Collision, options: &Options) -> Result<(Posterior, bool), String> {
-    let model = CollisionModel::new(collision);
+/// The posterior of a crash, and whether its run converged.
+pub(crate) fn posterior(
+    case: &str,
+    collision: Result<Collision, InvalidDistribution>,
+    options: &Options,
+) -> Result<(Posterior, bool), FieldError> {
+    let refused = |reason: String| FieldError::Estimate { case: case.to_owned(), reason };
+    let collision = collision.map_err(|error| refused(error.to_string()))?;
+    let model = CollisionModel::new(&collision);
     let mut particles = options.particles;
     loop {
         let settings = ParticleSettings::new(particles, options.seed);
-        let posterior = sample_quietly(&model, &model, &settings).map_err(|failure| failure.to_string())?;
+        let posterior = sample_quietly(&model, &model, &settings);
+        let posterior = posterior.map_err(|failure| refused(failure.to_string()))?;
         let converged = matches!(posterior.verdict(), Verdict::Converged);
         if converged || particles >= MOST_TIMES * options.particles {
             return Ok((posterior, converged));
         }
         particles *= 2;
     }
+}
+
+/// The draws of a result.
+pub(crate) fn draws(posterior: &Posterior, output: DrawnOutput) -> &[f64] {
+    posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice)
+}
+
+/// (m/s) the draws of the ΔV that the recorder of a vehicle shows.
+pub(crate) fn shown(
+    posterior: &Posterior,
+    vehicle: VehicleId,
+    is_longitudinal: bool,
+) -> impl Iterator<Item = f64> {
+    let along = draws(posterior, DrawnOutput::LongitudinalDeltaV(vehicle));
+    let whole = draws(posterior, DrawnOutput::DeltaV(vehicle)).iter();
+    whole.zip(along).map(move |(&whole, &along)| shown_delta_v(whole, along, is_longitudinal))
+}
+
+/// The intervals of the [`LEVELS`].
+pub(crate) fn intervals(quantile: impl Fn(f64) -> f64) -> [[f64; 2]; 3] {
+    LEVELS.map(|level| [0.5 * (1.0 - level), 0.5 * (1.0 + level)].map(&quantile))
 }
 
 /// Vehicles of one estimate.
@@ -215,24 +244,17 @@ fn vehicles<C: Crash>(
     given: &[VehicleId],
     wanted: &[(VehicleId, Truth)],
 ) -> Result<Vec<Judged>, FieldError> {
-    let refused = |reason: String| FieldError::Estimate { case: pair.case().to_owned(), reason };
     let collision = match (options.crush, wanted) {
         (KnownCrush::Judged, [(judged, _), ..]) => pair.known(Some(*judged), fitted, given),
         (KnownCrush::Other, [(judged, _), ..]) => pair.known(Some(judged.other()), fitted, given),
         _ => pair.known(None, fitted, given),
     };
-    let collision = collision.map_err(|error| refused(error.to_string()))?;
-    let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
-    let column =
-        |output: DrawnOutput| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+    let (posterior, converged) = posterior(pair.case(), collision, options)?;
     Ok(wanted
         .iter()
         .map(|&(vehicle, truth)| {
-            let draws = column(DrawnOutput::DeltaV(vehicle))
-                .iter()
-                .zip(column(DrawnOutput::LongitudinalDeltaV(vehicle)));
-            let shown = draws.map(|(&whole, &along)| ln(shown_delta_v(whole, along, truth.is_longitudinal)));
-            let predictive = Predictive::of(&shown.collect::<Vec<_>>(), fitted);
+            let shown: Vec<f64> = shown(&posterior, vehicle, truth.is_longitudinal).map(ln).collect();
+            let predictive = Predictive::of(&shown, fitted);
             Judged {
                 case: pair.case().to_owned(),
                 vehicle,
@@ -240,9 +262,7 @@ fn vehicles<C: Crash>(
                 is_one_event: pair.is_one_event(),
                 truth,
                 median: predictive.quantile(0.5),
-                intervals: LEVELS.map(|level| {
-                    [0.5 * (1.0 - level), 0.5 * (1.0 + level)].map(|share| predictive.quantile(share))
-                }),
+                intervals: intervals(|share| predictive.quantile(share)),
                 below: predictive.below(truth.delta_v),
                 crps: predictive.crps(truth.delta_v),
                 converged,

@@ -10,7 +10,7 @@ use uncertainty::{Distribution, InvalidDistribution, order_statistic};
 
 use crate::crash::Crash as _;
 use crate::error::FieldError;
-use crate::judge::{LEVELS, Options, count, median, posterior};
+use crate::judge::{Options, count, draws, intervals, median, posterior, shown};
 use crate::pair::Truth;
 use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
 
@@ -25,7 +25,7 @@ pub struct JudgedRecord {
     pub recorded: f64,
     /// (m/s) median of the value that the estimate expects the recorder to have stored.
     pub median: f64,
-    /// (m/s) ends of the intervals of the [`LEVELS`].
+    /// (m/s) ends of the intervals of the [`LEVELS`](crate::LEVELS).
     pub intervals: [[f64; 2]; 3],
     /// Whether the run converged.
     pub converged: bool,
@@ -98,7 +98,7 @@ pub struct SpeedFigures {
     pub bias: Option<f64>,
     /// (m/s) root mean square of the same.
     pub rms: Option<f64>,
-    /// (–) share of the recorded speeds inside the intervals of the [`LEVELS`].
+    /// (–) share of the recorded speeds inside the intervals of the [`LEVELS`](crate::LEVELS).
     pub coverage: Option<[f64; 3]>,
     /// (m/s) median of half the widths of the 95 % intervals.
     pub half_width: Option<f64>,
@@ -393,42 +393,35 @@ impl RecordedPair {
         options: &Options,
         exact: Option<WidthPart>,
     ) -> Result<JudgedRecord, FieldError> {
-        let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
+        let case = self.pair.case.clone();
         let other = [id.other()];
         let collision = self.collision(fitted, &other, &other, exact);
-        let collision = collision.map_err(|error| refused(error.to_string()))?;
-        let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
-        let draws = posterior.outputs().get(DrawnOutput::Speed(id).column()).map_or(&[][..], Vec::as_slice);
+        let (posterior, converged) = posterior(&case, collision, options)?;
         let last = &self.last[id.index()];
-        let stored = Stored::of(draws, last).map_err(|error| refused(error.to_string()))?;
+        let stored = match Stored::of(draws(&posterior, DrawnOutput::Speed(id)), last) {
+            Ok(stored) => stored,
+            Err(error) => return Err(FieldError::Estimate { case, reason: error.to_string() }),
+        };
         Ok(JudgedRecord {
-            case: self.pair.case.clone(),
+            case,
             vehicle: id,
             recorded: last.speed,
             median: stored.quantile(0.5),
-            intervals: LEVELS
-                .map(|level| [0.5 * (1.0 - level), 0.5 * (1.0 + level)].map(|share| stored.quantile(share))),
+            intervals: intervals(|share| stored.quantile(share)),
             converged,
         })
     }
 
     /// ΔV of the vehicles with a recorder, from the speeds of both recorders.
     fn delta_vs(&self, fitted: &Fitted, options: &Options) -> Result<Vec<JudgedDeltaV>, FieldError> {
-        let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
         let compared = self.compared();
         if compared.is_empty() {
             return Ok(Vec::new());
         }
         let collision = self.collision(fitted, &[], &VehicleId::ALL, None);
-        let collision = collision.map_err(|error| refused(error.to_string()))?;
-        let (posterior, _) = posterior(&collision, options).map_err(refused)?;
-        let column =
-            |output: DrawnOutput| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+        let (posterior, _) = posterior(&self.pair.case, collision, options)?;
         let judged = compared.into_iter().filter_map(|(vehicle, truth, common)| {
-            let whole = column(DrawnOutput::DeltaV(vehicle)).iter();
-            let draws = whole.zip(column(DrawnOutput::LongitudinalDeltaV(vehicle)));
-            let shown = draws.map(|(&whole, &along)| shown_delta_v(whole, along, truth.is_longitudinal));
-            let median = median(shown.collect())?;
+            let median = median(shown(&posterior, vehicle, truth.is_longitudinal).collect())?;
             Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, common, median })
         });
         Ok(judged.collect())

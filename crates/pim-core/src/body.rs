@@ -104,13 +104,7 @@ impl<T: Real> Body<T> {
 /// How a body moves: scene velocity of its CG and yaw rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: Real + serde::Serialize",
-        deserialize = "T: Real + serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct Motion<T = f64> {
     /// (m/s) velocity of the CG in the scene frame.
     pub velocity: Vector2<T>,

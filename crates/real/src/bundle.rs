@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
+use crate::operator::operator;
 
 /// A number and `N` − 1 others that started near it: their differences, divided by the initial ones,
 /// approximate its derivatives in less time than [`Duals`] take for the exact ones.
@@ -62,40 +63,14 @@ impl<const N: usize> Neg for Bundle<N> {
     }
 }
 
-/// An operator on two numbers, and on a number with an `f64` on its right.
-macro_rules! operator {
-    ($Op:ident $op:ident $Assign:ident $assign:ident) => {
-        impl<const N: usize> $Op for Bundle<N> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $op(self, other: Self) -> Self {
-                Self::with(|i| self.lanes[i].$op(other.lanes[i]))
-            }
-        }
-
-        impl<const N: usize> $Op<f64> for Bundle<N> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $op(self, other: f64) -> Self {
-                Self::with(|i| self.lanes[i].$op(other))
-            }
-        }
-
-        impl<const N: usize> $Assign for Bundle<N> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                *self = self.$op(other);
-            }
-        }
-    };
-}
-
-operator!(Add add AddAssign add_assign);
-operator!(Sub sub SubAssign sub_assign);
-operator!(Mul mul MulAssign mul_assign);
-operator!(Div div DivAssign div_assign);
+operator!(Bundle: Add add AddAssign add_assign |x, y|
+    Self::with(|i| x.lanes[i] + y.lanes[i]), Self::with(|i| x.lanes[i] + y));
+operator!(Bundle: Sub sub SubAssign sub_assign |x, y|
+    Self::with(|i| x.lanes[i] - y.lanes[i]), Self::with(|i| x.lanes[i] - y));
+operator!(Bundle: Mul mul MulAssign mul_assign |x, y|
+    Self::with(|i| x.lanes[i] * y.lanes[i]), Self::with(|i| x.lanes[i] * y));
+operator!(Bundle: Div div DivAssign div_assign |x, y|
+    Self::with(|i| x.lanes[i] / y.lanes[i]), Self::with(|i| x.lanes[i] / y));
 
 impl<const N: usize> Real for Bundle<N> {
     const ZERO: Self = Self { lanes: [0.0; N] };

@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
+use crate::operator::operator;
 
 /// A value and its derivatives with respect to `N` inputs: an equation over [`Real`] is differentiated
 /// exactly, by the rules of calculus and not by differences.
@@ -66,50 +67,24 @@ impl<const N: usize> Neg for Duals<N> {
     }
 }
 
-/// An operator on two numbers, and on a number with an `f64` on its right.
-macro_rules! operator {
-    (
-        $Op:ident $op:ident $Assign:ident $assign:ident:
-        |$x:ident, $y:ident, $i:ident| $value:expr, $derivative:expr, $plain:expr
-    ) => {
-        impl<const N: usize> $Op for Duals<N> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $op(self, $y: Self) -> Self {
-                let $x = self;
-                let (a, b) = ($x.value, $y.value);
-                Self::with($value(a, b), |$i| $derivative(a, b, $x.derivatives[$i], $y.derivatives[$i]))
-            }
-        }
-
-        impl<const N: usize> $Op<f64> for Duals<N> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $op(self, $y: f64) -> Self {
-                Self::with($value(self.value, $y), |$i| $plain(self.derivatives[$i], $y))
-            }
-        }
-
-        impl<const N: usize> $Assign for Duals<N> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                *self = self.$op(other);
-            }
-        }
-    };
-}
-
-operator!(Add add AddAssign add_assign: |x, y, i| |a, b| a + b, |_, _, da, db| da + db, |da, _| da);
-operator!(Sub sub SubAssign sub_assign: |x, y, i| |a, b| a - b, |_, _, da, db| da - db, |da, _| da);
+operator!(Duals: Add add AddAssign add_assign |x, y|
+    Self::with(x.value + y.value, |i| x.derivatives[i] + y.derivatives[i]),
+    Self::with(x.value + y, |i| x.derivatives[i]));
+operator!(Duals: Sub sub SubAssign sub_assign |x, y|
+    Self::with(x.value - y.value, |i| x.derivatives[i] - y.derivatives[i]),
+    Self::with(x.value - y, |i| x.derivatives[i]));
 // (x y)′ = x′ y + x y′
-operator!(Mul mul MulAssign mul_assign: |x, y, i| |a, b| a * b, |a, b, da, db| da * b + a * db, |da, b| da * b);
+operator!(
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a product has two terms")]
+    Duals: Mul mul MulAssign mul_assign |x, y|
+    Self::with(x.value * y.value, |i| x.derivatives[i] * y.value + x.value * y.derivatives[i]),
+    Self::with(x.value * y, |i| x.derivatives[i] * y));
 // (x/y)′ = (x′ − (x/y) y′)/y
 operator!(
-    Div div DivAssign div_assign:
-    |x, y, i| |a, b| a / b, |a, b, da, db| (da - a / b * db) / b, |da, b| da / b
-);
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient has two terms")]
+    Duals: Div div DivAssign div_assign |x, y|
+    Self::with(x.value / y.value, |i| (x.derivatives[i] - x.value / y.value * y.derivatives[i]) / y.value),
+    Self::with(x.value / y, |i| x.derivatives[i] / y));
 
 impl<const N: usize> Real for Duals<N> {
     const ZERO: Self = Self { value: 0.0, derivatives: [0.0; N] };

@@ -70,6 +70,7 @@ mod angle;
 mod bundle;
 mod duals;
 pub mod elementary;
+mod operator;
 #[cfg(feature = "std")]
 mod traced;
 

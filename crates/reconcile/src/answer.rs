@@ -13,13 +13,7 @@ pub const FASTEST: f64 = 1000.0;
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: Real + serde::Serialize",
-        deserialize = "T: Real + serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct Reconciliation<T = f64> {
     /// (m/s) the speed found, along the vehicle's course: of several admissible speeds, the one with the
     /// slowest approach, or the [nearest](Problem::solve_near) to a given one.

@@ -98,340 +98,111 @@ const RPM: ChannelUnit = unit("rpm", Dimension::Revolutions, 1.0);
 const PERCENT: ChannelUnit = unit("%", Dimension::Percent, 1.0);
 const NONE: ChannelUnit = unit("", Dimension::None, 1.0);
 
-/// Headings in lower case, word by word, hyphens and underscores as spaces. The longest that fits is taken.
-const HEADINGS: &[(Channel, &[&str])] = &[
+/// Headings in lower case, word by word, hyphens and underscores as spaces, with commas between
+/// them. The longest that fits is taken.
+const HEADINGS: &[(Channel, &str)] = &[
     (
         Channel::Time,
-        &[
-            "times",
-            "time",
-            "ptime",
-            "time stamp",
-            "timestamp",
-            "time before impact",
-            "time to impact",
-            "time before crash",
-            "time relative to impact",
-            "time from impact",
-            "sample time",
-            "pre crash time",
-            "seconds before ae",
-            "seconds before algorithm enable",
-            "seconds before impact",
-            "seconds before crash",
-            "seconds before event",
-            "seconds to impact",
-            "zeit",
-            "zeitpunkt",
-            "temps",
-            "tiempo",
-        ],
+        "times, time, ptime, time stamp, timestamp, time before impact, time to impact, time before crash, \
+         time relative to impact, time from impact, sample time, pre crash time, seconds before ae, \
+         seconds before algorithm enable, seconds before impact, seconds before crash, seconds before event, \
+         seconds to impact, zeit, zeitpunkt, temps, tiempo",
     ),
     (
         Channel::Speed,
-        &[
-            "speed vehicle indicated",
-            "vehicle indicated speed",
-            "indicated vehicle speed",
-            "vehicle speed",
-            "speed vehicle",
-            "pre crash speed",
-            "pre crash vehicle speed",
-            "velocity vehicle indicated",
-            "vehicle velocity",
-            "indicated speed",
-            "vehicle speed indicated",
-            "vehicle speed sensor",
-            "road speed",
-            "ground speed",
-            "vehicle ground speed",
-            "speed over ground",
-            "speedometer",
-            "fahrzeuggeschwindigkeit",
-            "vitesse",
-            "vitesse du véhicule",
-            "velocidad",
-            "velocity",
-            "speed",
-            "geschwindigkeit",
-            "fahrgeschwindigkeit",
-        ],
+        "speed vehicle indicated, vehicle indicated speed, indicated vehicle speed, vehicle speed, \
+         speed vehicle, pre crash speed, pre crash vehicle speed, velocity vehicle indicated, \
+         vehicle velocity, indicated speed, vehicle speed indicated, vehicle speed sensor, road speed, \
+         ground speed, vehicle ground speed, speed over ground, speedometer, fahrzeuggeschwindigkeit, \
+         vitesse, vitesse du véhicule, velocidad, velocity, speed, geschwindigkeit, fahrgeschwindigkeit",
     ),
     (
         Channel::Accelerator,
-        &[
-            "accelerator pedal position",
-            "accelerator pedal",
-            "accel pedal",
-            "accelerator rate",
-            "accelerator opening",
-            "accelerator opening ratio",
-            "accelerator pedal per cent full",
-            "throttle pedal",
-            "app",
-            "fahrpedal",
-            "fahrpedalstellung",
-            "accelerator",
-            "pedal",
-            "gaspedal",
-        ],
+        "accelerator pedal position, accelerator pedal, accel pedal, accelerator rate, \
+         accelerator opening, accelerator opening ratio, accelerator pedal per cent full, throttle pedal, \
+         app, fahrpedal, fahrpedalstellung, accelerator, pedal, gaspedal",
     ),
     (
         Channel::Throttle,
-        &[
-            "engine throttle",
-            "throttle position",
-            "throttle opening",
-            "throttle valve",
-            "throttle angle",
-            "throttle",
-            "drosselklappe",
-        ],
+        "engine throttle, throttle position, throttle opening, throttle valve, throttle angle, throttle, \
+         drosselklappe",
     ),
     (
         Channel::EngineSpeed,
-        &[
-            "engine rpm",
-            "engine speed",
-            "engine speed rpm",
-            "engine speed combustion",
-            "engine revolutions",
-            "rpm",
-            "drehzahl",
-            "motordrehzahl",
-        ],
+        "engine rpm, engine speed, engine speed rpm, engine speed combustion, engine revolutions, rpm, \
+         drehzahl, motordrehzahl",
     ),
     (
         Channel::Brake,
-        &[
-            "service brake",
-            "brake switch circuit status",
-            "brake switch circuit state",
-            "brake switch circuit",
-            "brake switch",
-            "brake status",
-            "service brake status",
-            "service brake activation",
-            "service brake switch",
-            "service brakes",
-            "brake pedal",
-            "brake pedal switch",
-            "brake pedal status",
-            "brake activation",
-            "brakes",
-            "bremspedal",
-            "frein de service",
-            "freno de servicio",
-            "brake",
-            "braking",
-            "betriebsbremse",
-            "bremse",
-        ],
+        "service brake, brake switch circuit status, brake switch circuit state, brake switch circuit, \
+         brake switch, brake status, service brake status, service brake activation, service brake switch, \
+         service brakes, brake pedal, brake pedal switch, brake pedal status, brake activation, brakes, \
+         bremspedal, frein de service, freno de servicio, brake, braking, betriebsbremse, bremse",
     ),
     (
         Channel::Abs,
-        &[
-            "abs activity",
-            "abs active",
-            "abs status",
-            "abs activation",
-            "antilock brake system",
-            "antilock braking system",
-            "antilock brakes",
-            "anti lock brake system",
-            "anti lock brakes",
-            "anti lock braking system",
-            "anti lock brake system activity",
-            "anti lock braking system activity",
-            "abs",
-        ],
+        "abs activity, abs active, abs status, abs activation, antilock brake system, \
+         antilock braking system, antilock brakes, anti lock brake system, anti lock brakes, \
+         anti lock braking system, anti lock brake system activity, anti lock braking system activity, abs",
     ),
     (
         Channel::Stability,
-        &[
-            "stability control",
-            "stability control status",
-            "electronic stability control",
-            "electronic stability control status",
-            "stability control system",
-            "stability",
-            "vehicle stability control",
-            "dynamic stability control",
-            "vdc",
-            "dsc",
-            "esc",
-            "esp",
-            "vsc",
-        ],
+        "stability control, stability control status, electronic stability control, \
+         electronic stability control status, stability control system, stability, \
+         vehicle stability control, dynamic stability control, vdc, dsc, esc, esp, vsc",
     ),
     (
         Channel::Steering,
-        &[
-            "steering wheel angle",
-            "steering input",
-            "steering angle",
-            "steering wheel",
-            "steering wheel position",
-            "steering wheel input",
-            "steering angle sensor",
-            "steering",
-            "volant",
-            "steer",
-            "lenkwinkel",
-            "lenkradwinkel",
-        ],
+        "steering wheel angle, steering input, steering angle, steering wheel, steering wheel position, \
+         steering wheel input, steering angle sensor, steering, volant, steer, lenkwinkel, lenkradwinkel",
     ),
     (
         Channel::YawRate,
-        &[
-            "yaw rate",
-            "yaw velocity",
-            "vehicle yaw rate",
-            "yaw angular velocity",
-            "gierrate",
-            "gierwinkelgeschwindigkeit",
-        ],
+        "yaw rate, yaw velocity, vehicle yaw rate, yaw angular velocity, gierrate, \
+         gierwinkelgeschwindigkeit",
     ),
     (
         Channel::DeltaVLongitudinal,
-        &[
-            "delta v longitudinal",
-            "longitudinal delta v",
-            "deltav longitudinal",
-            "longitudinal deltav",
-            "longitudinal cumulative delta v",
-            "cumulative longitudinal delta v",
-            "delta v long",
-            "long delta v",
-            "dv longitudinal",
-            "dv long",
-            "δv longitudinal",
-            "longitudinal δv",
-            "longitudinal velocity change",
-            "longitudinal change in velocity",
-            "change in velocity longitudinal",
-            "cumulative delta v longitudinal",
-            "longitudinal crash pulse delta v",
-            "delta v x",
-            "delta vx",
-            "sdm adjusted velocity change",
-            "sdm recorded velocity change",
-            "adjusted velocity change",
-            "recorded velocity change",
-            "velocity change",
-            "delta v",
-        ],
+        "delta v longitudinal, longitudinal delta v, deltav longitudinal, longitudinal deltav, \
+         longitudinal cumulative delta v, cumulative longitudinal delta v, delta v long, long delta v, \
+         dv longitudinal, dv long, δv longitudinal, longitudinal δv, longitudinal velocity change, \
+         longitudinal change in velocity, change in velocity longitudinal, cumulative delta v longitudinal, \
+         longitudinal crash pulse delta v, delta v x, delta vx, sdm adjusted velocity change, \
+         sdm recorded velocity change, adjusted velocity change, recorded velocity change, velocity change, \
+         delta v",
     ),
     (
         Channel::DeltaVLateral,
-        &[
-            "delta v lateral",
-            "lateral delta v",
-            "deltav lateral",
-            "lateral deltav",
-            "lateral cumulative delta v",
-            "cumulative lateral delta v",
-            "delta v lat",
-            "lat delta v",
-            "dv lateral",
-            "dv lat",
-            "δv lateral",
-            "lateral δv",
-            "lateral velocity change",
-            "lateral change in velocity",
-            "change in velocity lateral",
-            "cumulative delta v lateral",
-            "delta v y",
-            "delta vy",
-        ],
+        "delta v lateral, lateral delta v, deltav lateral, lateral deltav, lateral cumulative delta v, \
+         cumulative lateral delta v, delta v lat, lat delta v, dv lateral, dv lat, δv lateral, lateral δv, \
+         lateral velocity change, lateral change in velocity, change in velocity lateral, \
+         cumulative delta v lateral, delta v y, delta vy",
     ),
     (
         Channel::AccelerationLongitudinal,
-        &[
-            "longitudinal acceleration",
-            "acceleration longitudinal",
-            "longitudinal accel",
-            "long acceleration",
-            "long accel",
-        ],
+        "longitudinal acceleration, acceleration longitudinal, longitudinal accel, long acceleration, \
+         long accel",
     ),
     (
         Channel::AccelerationLateral,
-        &["lateral acceleration", "acceleration lateral", "lateral accel", "lat acceleration", "lat accel"],
+        "lateral acceleration, acceleration lateral, lateral accel, lat acceleration, lat accel",
     ),
     (
         Channel::Other,
-        &[
-            "parking brake",
-            "brake pressure",
-            "brake oil pressure",
-            "master cylinder pressure",
-            "cruise control",
-            "cruise control status",
-            "cruise control set speed",
-            "cruise control target speed",
-            "cruise set speed",
-            "speed control",
-            "traction control",
-            "wheel speed",
-            "wheel speeds",
-            "wheel speed sensor",
-            "target speed",
-            "set speed",
-            "speed limit",
-            "speed limiter",
-            "time maximum delta v",
-            "time maximum delta v longitudinal",
-            "time maximum delta v lateral",
-            "time to maximum delta v",
-            "vertical acceleration",
-            "ignition cycle",
-            "pitch rate",
-            "lane departure warning",
-            "lane keeping",
-            "automatic emergency braking",
-            "advanced emergency braking",
-            "autonomous emergency braking",
-            "adaptive cruise control",
-            "brake assist",
-            "brake torque",
-            "engine torque",
-            "motor torque",
-            "steering torque",
-            "steering wheel torque",
-            "turn signal",
-            "occupant protection",
-            "air bag warning lamp",
-            "airbag warning lamp",
-            "driver belt",
-            "pre crash recorder status",
-            "lateral velocity",
-            "longitudinal velocity",
-            "shift position",
-            "gear position",
-            "gear",
-            "roll angle",
-            "vehicle roll angle",
-            "roll rate",
-            "maximum delta v longitudinal",
-            "maximum delta v lateral",
-            "maximum delta v",
-            "resultant delta v",
-            "vertical delta v",
-            "delta v vertical",
-            "engine brake",
-            "normal acceleration",
-            "motor rpm",
-            "motor speed",
-            "brake lamp",
-            "tire pressure",
-            "tyre pressure",
-            "sequential shift range",
-            "drive mode",
-            "seat belt",
-            "safety belt",
-            "collision avoidance",
-        ],
+        "parking brake, brake pressure, brake oil pressure, master cylinder pressure, cruise control, \
+         cruise control status, cruise control set speed, cruise control target speed, cruise set speed, \
+         speed control, traction control, wheel speed, wheel speeds, wheel speed sensor, target speed, \
+         set speed, speed limit, speed limiter, time maximum delta v, time maximum delta v longitudinal, \
+         time maximum delta v lateral, time to maximum delta v, vertical acceleration, ignition cycle, \
+         pitch rate, lane departure warning, lane keeping, automatic emergency braking, \
+         advanced emergency braking, autonomous emergency braking, adaptive cruise control, brake assist, \
+         brake torque, engine torque, motor torque, steering torque, steering wheel torque, turn signal, \
+         occupant protection, air bag warning lamp, airbag warning lamp, driver belt, \
+         pre crash recorder status, lateral velocity, longitudinal velocity, shift position, gear position, \
+         gear, roll angle, vehicle roll angle, roll rate, maximum delta v longitudinal, \
+         maximum delta v lateral, maximum delta v, resultant delta v, vertical delta v, delta v vertical, \
+         engine brake, normal acceleration, motor rpm, motor speed, brake lamp, tire pressure, \
+         tyre pressure, sequential shift range, drive mode, seat belt, safety belt, collision avoidance",
     ),
 ];
 
@@ -598,7 +369,7 @@ pub(crate) fn plain(word: &str) -> String {
 pub(crate) fn heading_at(words: &[&str]) -> Option<(Channel, usize)> {
     let mut best: Option<(Channel, usize)> = None;
     for (channel, headings) in HEADINGS {
-        for heading in *headings {
+        for heading in headings.split(", ") {
             let count = heading.split(' ').count();
             let fits = heading.split(' ').zip(words).filter(|(own, word)| own == *word).count() == count;
             if fits && words.len() >= count && best.is_none_or(|(_, longest)| count > longest) {
@@ -632,49 +403,19 @@ impl Axis {
 
 /// Words next to the name of a quantity that show that the column is not this quantity of the vehicle over
 /// time.
-const DENYING: &[&str] = &[
-    "relative",
-    "closing",
-    "lead",
-    "other",
-    "trailer",
-    "wheel",
-    "fan",
-    "turbine",
-    "output",
-    "maximum",
-    "max",
-    "minimum",
-    "min",
-    "average",
-    "set",
-    "cruise",
-    "target",
-    "desired",
-    "limit",
-    "limiter",
-    "error",
-    "warning",
-    "lamp",
-    "indicator",
-    "fluid",
-    "level",
-    "wear",
-    "fault",
-    "failure",
-    "retarder",
-    "emergency",
-    "parking",
-    "pressure",
-    "torque",
-    "temperature",
-    "assist",
-    "counter",
-];
+const DENYING: &str = "relative, closing, lead, other, trailer, wheel, fan, turbine, output, maximum, max, \
+    minimum, min, average, set, cruise, target, desired, limit, limiter, error, warning, lamp, indicator, \
+    fluid, level, wear, fault, failure, retarder, emergency, parking, pressure, torque, temperature, \
+    assist, counter";
 
 /// Whether this word next to the name of a quantity shows that the heading is of something else.
 pub(crate) fn denies(word: &str) -> bool {
-    DENYING.contains(&word)
+    is_one_of(DENYING, word)
+}
+
+/// Whether a word is one of these, which have commas between them.
+pub(crate) fn is_one_of(words: &str, word: &str) -> bool {
+    words.split(", ").any(|one| one == word)
 }
 
 /// The unit that a word of a heading names.

@@ -77,19 +77,24 @@ fn delta_v_at_limit(case: &Case, found: &Avoidance, id: VehicleId) -> Option<f64
 }
 
 /// The results of one row.
-pub(crate) enum Found {
-    Analysis(Box<Seen>, Vec<String>, Option<Spread>),
-    Estimate(Box<EstimateFound>),
+pub(crate) struct Found {
+    axes: Axes,
+    warnings: Vec<String>,
+    of: FoundBy,
+}
+
+/// The results of the job.
+enum FoundBy {
+    Analysis(Box<Seen>, Option<Spread>),
+    Estimate(EstimateFound),
     Avoidance(Box<AvoidFound>),
 }
 
 /// The results on avoidability.
-pub(crate) struct AvoidFound {
-    axes: Axes,
+struct AvoidFound {
     /// By the places of [`AVOIDED`] and [`AVOIDABLE`].
     numbers: [Option<f64>; AVOIDED.len()],
     flags: [Option<bool>; AVOIDABLE.len()],
-    warnings: Vec<String>,
 }
 
 /// The statistics of the samples of a row.
@@ -101,12 +106,10 @@ pub(crate) struct Spread {
 }
 
 /// The estimate of a row.
-pub(crate) struct EstimateFound {
-    axes: Axes,
+struct EstimateFound {
     converged: bool,
     ess: f64,
     contradicting: Vec<String>,
-    warnings: Vec<String>,
     /// By the places of [`DRAWN`].
     of: Vec<Option<Statistics>>,
 }
@@ -168,14 +171,14 @@ fn texts(read: fn(&Outcome) -> Option<&str>) -> Column {
 
 fn columns(job: Job, samples: Option<usize>) -> Vec<(String, Column)> {
     let named = |name: &str, column: Column| (name.to_owned(), column);
-    let warnings = || named("warnings", lists(|found| Some(found.warnings())));
+    let warnings = || named("warnings", lists(|found| Some(&found.warnings)));
     let mut columns = vec![
         named("error", texts(|outcome| Some(&outcome.refusal.as_ref()?.error))),
         named(
             "help",
             texts(|outcome| Some(&*outcome.refusal.as_ref()?.help).filter(|help| !help.is_empty())),
         ),
-        named("axes", texts(|outcome| Some(outcome.found.as_ref()?.axes().name()))),
+        named("axes", texts(|outcome| Some(outcome.found.as_ref()?.axes.name()))),
     ];
     match job {
         Job::Estimate => {
@@ -340,51 +343,36 @@ impl Builder {
 }
 
 impl Found {
-    fn axes(&self) -> Axes {
-        match self {
-            Self::Analysis(seen, ..) => seen.axes,
-            Self::Estimate(found) => found.axes,
-            Self::Avoidance(found) => found.axes,
-        }
-    }
-
-    fn warnings(&self) -> &[String] {
-        match self {
-            Self::Analysis(_, warnings, _) => warnings,
-            Self::Estimate(found) => &found.warnings,
-            Self::Avoidance(found) => &found.warnings,
-        }
-    }
-
     fn seen(&self) -> Option<&Seen> {
-        if let Self::Analysis(seen, ..) = self { Some(seen) } else { None }
+        if let FoundBy::Analysis(seen, _) = &self.of { Some(seen) } else { None }
     }
 
     fn spread(&self) -> Option<&Spread> {
-        if let Self::Analysis(_, _, spread) = self { spread.as_ref() } else { None }
+        if let FoundBy::Analysis(_, spread) = &self.of { spread.as_ref() } else { None }
     }
 
     fn estimate(&self) -> Option<&EstimateFound> {
-        if let Self::Estimate(found) = self { Some(found) } else { None }
+        if let FoundBy::Estimate(found) = &self.of { Some(found) } else { None }
     }
 
     fn avoidance(&self) -> Option<&AvoidFound> {
-        if let Self::Avoidance(found) = self { Some(found) } else { None }
+        if let FoundBy::Avoidance(found) = &self.of { Some(found) } else { None }
     }
 
     pub(crate) fn of_analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
         let seen = analysis.seen(case.axes);
-        let codes = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
-        Self::Analysis(Box::new(seen), codes, spread)
+        let warnings = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
+        Self { axes: seen.axes, warnings, of: FoundBy::Analysis(Box::new(seen), spread) }
     }
 
     pub(crate) fn of_avoidance(case: &Case, found: &Avoidance) -> Self {
-        Self::Avoidance(Box::new(AvoidFound {
+        let numbers = AVOIDED.map(|(_, of)| of(case, found));
+        let flags = AVOIDABLE.map(|(_, of)| of(case, found));
+        Self {
             axes: case.axes,
-            numbers: AVOIDED.map(|(_, of)| of(case, found)),
-            flags: AVOIDABLE.map(|(_, of)| of(case, found)),
             warnings: report::avoid_warnings(found, Units::Si),
-        }))
+            of: FoundBy::Avoidance(Box::new(AvoidFound { numbers, flags })),
+        }
     }
 
     pub(crate) fn of_estimate(case: &Case, estimated: &Estimated) -> Self {
@@ -395,14 +383,14 @@ impl Found {
             let widest = summary.intervals.last().filter(|_| converged)?;
             Some([widest.low, summary.median, widest.high, summary.mean, summary.sd].map(|one| one.value))
         };
-        Self::Estimate(Box::new(EstimateFound {
-            axes: case.axes,
+        let found = EstimateFound {
             converged,
             ess: estimated.ess(),
             contradicting: estimated.with_agreement(Agreement::Contradicts),
-            warnings: estimated.warnings.iter().map(code).collect(),
             of: DRAWN.iter().map(of).collect(),
-        }))
+        };
+        let warnings = estimated.warnings.iter().map(code).collect();
+        Self { axes: case.axes, warnings, of: FoundBy::Estimate(found) }
     }
 }
 

@@ -48,10 +48,6 @@ impl Cell {
         Self { ours, paper, erratum: None, claim: Claim::KnownDifference { reason: reason.to_owned() } }
     }
 
-    pub(crate) fn with_erratum(self, erratum: Option<Erratum>) -> Self {
-        Self { erratum, ..self }
-    }
-
     /// Our number less the paper's.
     #[must_use]
     pub fn difference(&self) -> f64 {

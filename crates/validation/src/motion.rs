@@ -175,7 +175,7 @@ pub(crate) fn motions(
         let Some(after) = scene.after(rest.test) else { continue };
         let motion = after.motion(rest.vehicle());
         let collided = scene.collided(staged, rest.test)?;
-        let drag = rest.drag().unwrap_or_else(|| scene.drag_of_others(rest.test));
+        let drag = rest.drag.unwrap_or_else(|| scene.drag_of_others(rest.test));
         let way = way(scene, &collided, rest, drag)?;
         let ours = way.to_rest(motion)?;
         forward.push(motion_row(&way, drag, &ours));

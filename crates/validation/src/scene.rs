@@ -59,7 +59,8 @@ pub(crate) struct Rest {
     within: f64,
     heading: f64,
     direction: Option<f64>,
-    drag: Option<f64>,
+    /// (–) fitted to this distance.
+    pub(crate) drag: Option<f64>,
     #[serde(default)]
     pub(crate) struck_again: bool,
 }
@@ -145,12 +146,7 @@ impl After {
     }
 
     pub(crate) fn erratum(&self) -> Option<Erratum> {
-        match (&self.printed, &self.reason) {
-            (Some(printed), Some(reason)) => {
-                Some(Erratum { printed: printed.clone(), reason: reason.clone() })
-            }
-            _ => None,
-        }
+        Some(Erratum { printed: self.printed.clone()?, reason: self.reason.clone()? })
     }
 }
 
@@ -167,11 +163,6 @@ impl Rest {
     /// (m) possible error of the distance.
     pub(crate) fn within(&self) -> f64 {
         self.within * FOOT
-    }
-
-    /// (–) the drag fitted to this distance.
-    pub(crate) fn drag(&self) -> Option<f64> {
-        self.drag
     }
 
     /// (rad) direction of the path after the impact in the scene.

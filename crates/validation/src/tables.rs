@@ -240,8 +240,8 @@ pub(crate) fn table3(staged: &Staged) -> Result<Vec<Table3Row>, ValidationError>
         let ours = staged.crash3(staged.implied, turn)?.corrected;
         let paper = speeds(turned.delta_v);
         let cells = VehicleId::ALL.map(|id| {
-            Cell::claimed(ours[id.index()], paper[id.index()], tolerance)
-                .with_erratum(printed.erratum(turned.turn, id))
+            let erratum = printed.erratum(turned.turn, id);
+            Cell { erratum, ..Cell::claimed(ours[id.index()], paper[id.index()], tolerance) }
         });
         Ok(Table3Row { test, turn, cells })
     };

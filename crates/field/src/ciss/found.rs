@@ -63,38 +63,15 @@ pub struct CissColumn {
 /// The columns of every crash, before those of its vehicles.
 const KEYS: [&str; 3] = ["YEAR", "CASEID", "EVENTNO"];
 
-/// The columns of every vehicle.
-pub(super) const OF_VEHICLE: [&str; 29] = [
-    "VEHNO",
-    "MAKE",
-    "MODEL",
-    "MODELYR",
-    "BODYTYPE",
-    "CURBWT",
-    "CARGOWT",
-    "CDCPLANE",
-    "CDC",
-    "PDOF",
-    "HEADINGANG",
-    "DVANGTHIS",
-    "FIELDL",
-    "FIELDLD",
-    "DIRECTL",
-    "DIRECTD",
-    "C1",
-    "C2",
-    "C3",
-    "C4",
-    "C5",
-    "C6",
-    "CMAX",
-    "DVTOTAL",
-    "DVLONG",
-    "DVLAT",
-    "DVENERGY",
-    "MAXDVLONG",
-    "MAXDVLAT",
-];
+/// The columns of every vehicle, with blanks between them.
+const OF_VEHICLE: &str = "VEHNO MAKE MODEL MODELYR BODYTYPE CURBWT CARGOWT CDCPLANE CDC PDOF HEADINGANG \
+    DVANGTHIS FIELDL FIELDLD DIRECTL DIRECTD C1 C2 C3 C4 C5 C6 CMAX DVTOTAL DVLONG DVLAT DVENERGY MAXDVLONG \
+    MAXDVLAT";
+
+/// The columns of every vehicle, in order.
+pub(super) fn of_vehicle() -> impl Iterator<Item = &'static str> {
+    OF_VEHICLE.split(' ')
+}
 
 /// The column of a vehicle that struck an object.
 pub(super) const OBJECT: &str = "OBJCONT";
@@ -135,11 +112,11 @@ impl CissCrashes {
         };
         let keys = KEYS.into_iter().map(|name| column(name, name.to_owned()));
         if is_of_objects {
-            let of_vehicle = OF_VEHICLE.into_iter().chain([OBJECT]);
+            let of_vehicle = of_vehicle().chain([OBJECT]);
             return keys.chain(of_vehicle.map(|name| column(name, name.to_owned()))).collect();
         }
-        let of = |vehicle| OF_VEHICLE.map(|name| column(name, format!("{name}_{vehicle}")));
-        keys.chain(of(1)).chain(of(2)).collect()
+        let of = |vehicle| of_vehicle().map(move |name| column(name, format!("{name}_{vehicle}")));
+        keys.chain([1, 2].into_iter().flat_map(of)).collect()
     }
 
     /// Whether the reader of the table would refuse a cell of a crash.

@@ -15,9 +15,9 @@ pub struct CissRecord {
     pub pulse: Option<String>,
 }
 
-const NEEDED: &[&str] = &["CASEID", "VEHNO", "EDREVENTNO", "PCODE", "PTIME", "PVALUE"];
-const PRE_CRASH: Layout = Layout { name: "EDRPRECRASH", needed: NEEDED, optional: &["EDRSUMMNO"] };
-const POST_CRASH: Layout = Layout { name: "EDRPOSTCRASH", needed: NEEDED, optional: &["EDRSUMMNO"] };
+const NEEDED: &str = "CASEID VEHNO EDREVENTNO PCODE PTIME PVALUE";
+const PRE_CRASH: Layout = Layout { name: "EDRPRECRASH", needed: NEEDED, optional: "EDRSUMMNO" };
+const POST_CRASH: Layout = Layout { name: "EDRPOSTCRASH", needed: NEEDED, optional: "EDRSUMMNO" };
 
 /// PCODE of a speed before the impact, and of a ΔV along and across.
 const SPEED: [i64; 1] = [1010];

@@ -23,58 +23,33 @@ pub trait CissFiles {
     fn read(&mut self, place: usize) -> Result<Vec<u8>, Self::Error>;
 }
 
-/// A table: its name, the columns that it must have, and those that it may have.
+/// A table: its name, the columns that it must have, and those that it may have, with blanks between them.
 pub(super) struct Layout {
     pub(super) name: &'static str,
-    pub(super) needed: &'static [&'static str],
-    pub(super) optional: &'static [&'static str],
+    pub(super) needed: &'static str,
+    pub(super) optional: &'static str,
 }
 
-pub(super) const CRASH: Layout = Layout { name: "CRASH", needed: &["CASEID", "CRASHYEAR"], optional: &[] };
+pub(super) const CRASH: Layout = Layout { name: "CRASH", needed: "CASEID CRASHYEAR", optional: "" };
 
 pub(super) const GV: Layout = Layout {
     name: "GV",
-    needed: &["CASEID", "VEHNO", "MAKE", "MODEL", "MODELYR", "BODYTYPE", "CURBWT", "CARGOWT", "DVANGTHIS"],
-    optional: &[],
+    needed: "CASEID VEHNO MAKE MODEL MODELYR BODYTYPE CURBWT CARGOWT DVANGTHIS",
+    optional: "",
 };
 
 pub(super) const CDC: Layout = Layout {
     name: "CDC",
-    needed: &[
-        "CASEID",
-        "EVENTNO",
-        "VEHNO",
-        "CDCPLANE",
-        "CDC",
-        "PDOF",
-        "HEADINGANG",
-        "FIELDL",
-        "FIELDLD",
-        "DIRECTL",
-        "DIRECTD",
-        "C1",
-        "C2",
-        "C3",
-        "C4",
-        "C5",
-        "C6",
-        "CMAX",
-        "DVTOTAL",
-        "DVLONG",
-        "DVLAT",
-        "DVENERGY",
-    ],
-    optional: &["OBJCONT"],
+    needed: "CASEID EVENTNO VEHNO CDCPLANE CDC PDOF HEADINGANG FIELDL FIELDLD DIRECTL DIRECTD C1 C2 C3 \
+             C4 C5 C6 CMAX DVTOTAL DVLONG DVLAT DVENERGY",
+    optional: "OBJCONT",
 };
 
-pub(super) const EDREVENT: Layout = Layout {
-    name: "EDREVENT",
-    needed: &["CASEID", "VEHNO", "CDCEVENT", "MAXDVLONG", "MAXDVLAT"],
-    optional: &[],
-};
+pub(super) const EDREVENT: Layout =
+    Layout { name: "EDREVENT", needed: "CASEID VEHNO CDCEVENT MAXDVLONG MAXDVLAT", optional: "" };
 
 pub(super) const EVENT: Layout =
-    Layout { name: "EVENT", needed: &["CASEID", "EVENTNO", "VEHNUM", "OBJCONT"], optional: &[] };
+    Layout { name: "EVENT", needed: "CASEID EVENTNO VEHNUM OBJCONT", optional: "" };
 
 /// Whether a folder, by the names of its files, has one of the tables from which pairs are made.
 #[must_use]
@@ -118,7 +93,7 @@ fn find(names: &[String], table: &Layout) -> Result<usize, CissError> {
 
 fn missing(names: &[String], table: &Layout) -> CissError {
     let has = |name| {
-        let layout = Layout { name, needed: &[], optional: &[] };
+        let layout = Layout { name, needed: "", optional: "" };
         ENDINGS.iter().any(|ending| named(names, &layout, ending).next().is_some())
     };
     if has("ACCIDENT") && has("VE") {
@@ -283,12 +258,14 @@ impl<'a> Sheet<'a> {
     /// The columns of a table that are read.
     fn places(&self, table: &Layout) -> Result<Vec<Place<'static>>, CissError> {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        for &column in table.needed.iter().chain(table.optional) {
+        for column in table.needed.split(' ') {
             match self.place(column)? {
                 Some(place) => found.push(Place { column, of: column, place }),
-                None if table.optional.contains(&column) => {}
                 None => missing.push(column),
             }
+        }
+        for column in table.optional.split_whitespace() {
+            found.extend(self.place(column)?.map(|place| Place { column, of: column, place }));
         }
         if missing.is_empty() {
             return Ok(found);

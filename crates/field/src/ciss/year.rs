@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use super::cell::CissCell;
 use super::error::CissError;
-use super::found::{CissCrashes, CissLeftOut, CissTable, OBJECT, OF_VEHICLE};
+use super::found::{CissCrashes, CissLeftOut, CissTable, OBJECT, of_vehicle};
 use super::table::{CDC, CRASH, CissFiles, EDREVENT, EVENT, GV, Row, Rows};
 
 /// CASEID and EVENTNO.
@@ -257,7 +257,7 @@ impl<'a> Year<'a> {
         let year = of_crash.cell("CRASHYEAR").cloned().unwrap_or(CissCell::Nothing);
         // In the order of the columns.
         let mut row = vec![year, CissCell::Whole(crash), CissCell::Whole(event)];
-        row.extend(hits.iter().flat_map(|hit| OF_VEHICLE.map(|column| hit.cell(column))));
+        row.extend(hits.iter().flat_map(|hit| of_vehicle().map(|column| hit.cell(column))));
         row.extend(candidate.object.map(CissCell::Whole));
         Ok(Ok(row))
     }

@@ -43,13 +43,7 @@ pub struct MomentumAndCrush<T = f64> {
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: Real + serde::Serialize",
-        deserialize = "T: Real + serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct BothSpeeds<T = f64> {
     /// (m/s) the speeds found, along the courses: of several admissible pairs, the one with the slowest
     /// approach.

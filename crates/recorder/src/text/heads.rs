@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::ops::Range;
 
 use super::tokens::{OFF, ON, Word};
-use crate::channel::{Axis, Channel, ChannelUnit, denies, heading_at, plain, unit_of};
+use crate::channel::{Axis, Channel, ChannelUnit, denies, heading_at, is_one_of, plain, unit_of};
 use crate::table::{TextPlace, TextRefusal};
 
 /// A heading, recognised.
@@ -105,7 +105,7 @@ impl Part {
     /// Whether it names or narrows down a quantity, as units and the values of a switch do not.
     fn tells(&self) -> bool {
         let word = self.plain.as_str();
-        let is_state = word.split('/').all(|state| ON.contains(&state) || OFF.contains(&state));
+        let is_state = word.split('/').all(|state| is_one_of(ON, state) || is_one_of(OFF, state));
         !self.within && !is_state && unit_of(word).is_none() && word != "full"
     }
 }

@@ -2,7 +2,7 @@
 
 use super::heads::Head;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
-use crate::channel::{Channel, ChannelUnit, heading_at, unit_of};
+use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, unit_of};
 use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
 
 /// Columns with their cells as printed.
@@ -63,14 +63,14 @@ fn own_unit(text: &str) -> Option<(&str, ChannelUnit)> {
 /// Whether a switch is on by these words in lower case, which may name it: "brakes on".
 fn switched(text: &str, channel: Channel) -> Option<bool> {
     let state = match text.rsplit_once(' ') {
-        _ if OFF.contains(&text) => text,
+        _ if is_one_of(OFF, text) => text,
         Some((name, state)) => {
             let words: Vec<&str> = name.split(' ').collect();
             heading_at(&words).filter(|found| *found == (channel, words.len())).map(|_| state)?
         }
         None => text,
     };
-    OFF.contains(&state).then_some(false).or_else(|| ON.contains(&state).then_some(true))
+    is_one_of(OFF, state).then_some(false).or_else(|| is_one_of(ON, state).then_some(true))
 }
 
 /// The value of a cell, or why it has none.
@@ -80,7 +80,7 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
     if lower.is_empty() {
         return Err(NoValue::Empty);
     }
-    if NONE.contains(&lower.as_str()) {
+    if is_one_of(NONE, &lower) {
         return Err(NoValue::Word(text));
     }
     if let Some(on) = switched(&lower, channel).filter(|_| channel.is_switch()) {

@@ -1,7 +1,7 @@
 //! The cells of a line of flowing text with words among the values.
 
 use super::tokens::{OFF, ON, Piece, Token, Word, bare, number};
-use crate::channel::{heading_at, plain, unit_of};
+use crate::channel::{heading_at, is_one_of, plain, unit_of};
 
 /// Signs that may precede a number and make it a bound.
 const QUALIFIERS: [&str; 10] = [">", ">=", "<", "<=", "≥", "≤", "=", "~", "≈", "±"];
@@ -24,7 +24,7 @@ impl Cell {
 
     fn is_switch(&self) -> bool {
         let state = bare(&self.token.text).to_lowercase();
-        ON.contains(&state.as_str()) || OFF.contains(&state.as_str())
+        is_one_of(ON, &state) || is_one_of(OFF, &state)
     }
 
     /// Whether its words name a quantity.

@@ -1,5 +1,6 @@
 //! Words and values of a line, with their places.
 
+use crate::channel::is_one_of;
 use crate::table::TextPlace;
 
 /// A value as printed, with the text in brackets after it: `50 [81]`.
@@ -25,45 +26,12 @@ pub(crate) struct Word {
     pub(crate) place: TextPlace,
 }
 
-pub(crate) const ON: &[&str] =
-    &["on", "yes", "engaged", "active", "applied", "true", "activated", "pressed", "depressed", "ein"];
-pub(crate) const OFF: &[&str] = &[
-    "off",
-    "no",
-    "non-engaged",
-    "non engaged",
-    "not engaged",
-    "not active",
-    "not applied",
-    "not pressed",
-    "not depressed",
-    "inactive",
-    "disengaged",
-    "released",
-    "false",
-    "aus",
-];
+pub(crate) const ON: &str = "on, yes, engaged, active, applied, true, activated, pressed, depressed, ein";
+pub(crate) const OFF: &str = "off, no, non-engaged, non engaged, not engaged, not active, not applied, \
+    not pressed, not depressed, inactive, disengaged, released, false, aus";
 /// Words that reports print for a value that the recorder does not have.
-pub(crate) const NONE: &[&str] = &[
-    "data not available",
-    "data not valid",
-    "data invalid",
-    "not available",
-    "not reported",
-    "no data",
-    "invalid",
-    "sna",
-    "n/a",
-    "na",
-    "nan",
-    "unknown",
-    "error",
-    "--",
-    "---",
-    "—",
-    "-",
-    "***",
-];
+pub(crate) const NONE: &str = "data not available, data not valid, data invalid, not available, \
+    not reported, no data, invalid, sna, n/a, na, nan, unknown, error, --, ---, —, -, ***";
 
 /// The number that a text is, with a decimal point or comma, and commas between thousands if these may be.
 pub(crate) fn number(text: &str, thousands: bool) -> Option<f64> {
@@ -122,8 +90,7 @@ pub(crate) fn is_value(text: &str) -> bool {
 fn is_exactly_value(text: &str) -> bool {
     let lower = text.to_lowercase();
     let text = lower.as_str();
-    let is_in = |words: &[&str]| words.contains(&lower.as_str());
-    number(text, true).is_some() || is_in(ON) || is_in(OFF) || is_in(NONE)
+    number(text, true).is_some() || [ON, OFF, NONE].iter().any(|words| is_one_of(words, text))
 }
 
 /// The pieces of a line between blanks, with their column.
