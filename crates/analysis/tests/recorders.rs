@@ -126,7 +126,7 @@ fn what_cannot_be_weighed_leads_nowhere() {
         "[impact]",
         "[vehicle1.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\nstiffness = { category = 3 }\n\
          [vehicle2.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\nstiffness = { category = 3 }\n\
-         [reconstruct]\nfind = \"vehicle1.speed\"\n[impact]",
+         [estimate]\ncrush_bias = \"100 %\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n[impact]",
     );
     let is_weighed = |text: &str| {
         let case = CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case;
