@@ -5,10 +5,7 @@ use super::values::{Place, hour_of, named};
 use crate::case_problem::{CLASS_FORMS, CaseProblem, counted};
 use crate::node::Node;
 use crate::quantity::{Limit, format_limit, shorten};
-use crate::schema::{
-    CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY,
-    ZONE,
-};
+use crate::schema::{MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED};
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
     ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, KnownEnergy, Mass,
@@ -30,7 +27,7 @@ impl<'t> Reader<'t> {
             self.missing(top, key);
             return None;
         }
-        let table = self.child(top, key, &VEHICLE)?;
+        let table = self.child(top, key)?;
         let fixed = self.flag(&table, "fixed");
         if fixed {
             for key in table.given(&NEVER_FIXED) {
@@ -72,7 +69,7 @@ impl<'t> Reader<'t> {
     }
 
     fn class(&mut self, table: &Table<'t>) -> Option<u8> {
-        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class") };
+        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class")? };
         self.counted(&place, table, "class")
     }
 
@@ -92,7 +89,7 @@ impl<'t> Reader<'t> {
 
     fn contact(&mut self, vehicle: &Table<'t>) -> Option<ContactPoint> {
         const FORMS: &str = "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" } or contact = { x = \"1.78 m\", y = \"-0.73 m\" }";
-        let table = self.inline(vehicle, "contact", &CONTACT, "a table in braces", FORMS)?;
+        let table = self.inline(vehicle, "contact", FORMS)?;
         let distance = self.quantity(&table, "distance");
         let angle = self.quantity(&table, "angle");
         let x = self.quantity(&table, "x");
@@ -115,7 +112,7 @@ impl<'t> Reader<'t> {
             "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" } or, along the heading, speed = \"75 ft/s\"";
         self.not_both(vehicle, "speed", "velocity");
         let speed = self.quantity(vehicle, "speed").map(Velocity::Speed);
-        let Some(table) = self.inline(vehicle, "velocity", &VELOCITY, "a table in braces", FORMS) else {
+        let Some(table) = self.inline(vehicle, "velocity", FORMS) else {
             return speed;
         };
         let x = self.quantity(&table, "x");
@@ -176,7 +173,7 @@ impl<'t> Reader<'t> {
                 self.choice_among(vehicle, "crush", &[(UNDAMAGED, KnownEnergy::Undamaged)], FORMS);
             return (None, undamaged);
         }
-        let Some(table) = self.child(vehicle, "crush", &CRUSH) else { return (None, None) };
+        let Some(table) = self.child(vehicle, "crush") else { return (None, None) };
         if !table.has("ees") {
             return (self.crush(&table), None);
         }
@@ -302,8 +299,8 @@ impl<'t> Reader<'t> {
                 let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
                 let hour = hour_of(&digits[..end]);
                 let text = shorten(text);
-                self.report(value.span(), CaseProblem::HourForm { path: crush.path_of("pdof"), text, hour });
-                return None;
+                let path = crush.path_of("pdof");
+                return self.unread(value, CaseProblem::HourForm { path, text, hour });
             }
             return self.quantity(crush, "pdof").map(Pdof::Angle);
         };
@@ -311,8 +308,7 @@ impl<'t> Reader<'t> {
             Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
             _ => {
                 let text = shorten(&format!("{hour}o'clock"));
-                self.report(value.span(), CaseProblem::NotAnHour { path: crush.path_of("pdof"), text });
-                None
+                self.unread(value, CaseProblem::NotAnHour { path: crush.path_of("pdof"), text })
             }
         }
     }
@@ -320,7 +316,7 @@ impl<'t> Reader<'t> {
     fn oblique(&mut self, crush: &Table<'t>) -> Option<ObliqueCorrection> {
         const FORMS: &str = "oblique = \"capped\", \"uncapped\", \"none\", \"secant\" or { friction = 0.5 }";
         if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
-            let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
+            let table = self.inline_or(crush, "oblique", "a word or a table in braces", FORMS)?;
             return match table.given(&["friction"])[..] {
                 ["friction"] => self.number(&table, "friction").map(ObliqueCorrection::Friction),
                 _ => self.no_form(&table, FORMS),
@@ -341,22 +337,22 @@ impl<'t> Reader<'t> {
                                     limit = \"1500 N/cm\" }; a category and a test allow no other key";
         const IN_ZONE_FORMS: &str = "limit and G in the zone they belong to, as in \
                                      zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\", limit = \"1500 N/cm\" }, …]";
-        let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
+        let table = self.inline(crush, "stiffness", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
                 let place = Place {
                     example: "stiffness = { category = 4 }; the table covers only passenger cars; for a van, a pickup or a truck, give A and B or \
                               a test",
-                    ..Place::of_key(&table, "category")
+                    ..Place::of_key(&table, "category")?
                 };
                 self.counted(&place, &table, "category").map(StiffnessForm::Category)
             }
             ["test"] => {
-                let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
+                let test = self.inline(&table, "test", TEST_FORMS)?;
                 self.barrier_test(&test).map(StiffnessForm::Test)
             }
             ["zones"] => {
-                let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS, MOST_ZONES)?;
+                let zones = self.tables(&table, "zones", ZONE_FORMS, MOST_ZONES)?;
                 // Every zone is read before the first fault ends it.
                 let lines: Vec<Option<StiffnessLine>> =
                     zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
