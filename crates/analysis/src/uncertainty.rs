@@ -519,9 +519,8 @@ fn no_range(case: &Case) -> Fault {
 /// The advice for a case that has none of the requested outputs.
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
-    let reason = "the case has none of the outputs that are asked for".to_owned();
     let advice = format!("its outputs are {}", names.join(", "));
-    Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: Some(advice) }
+    Fault::refused("", "the case has none of the outputs that are asked for", advice)
 }
 
 /// The distribution of a shared error.
