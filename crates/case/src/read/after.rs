@@ -127,8 +127,7 @@ impl<'t> Reader<'t> {
             .iter()
             .map(|table| {
                 self.require(table, &["time", "angle"]);
-                let time = self.quantity(table, "time");
-                let angle = self.quantity(table, "angle");
+                let [time, angle] = ["time", "angle"].map(|key| self.quantity(table, key));
                 Some(SteerPoint { time: time?, angle: angle? })
             })
             .collect();
