@@ -118,7 +118,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
         };
         if let Some(recorder) = &vehicle.recorder {
-            let ground = case.surface.as_ref().map(|surface| surface.friction);
+            let ground = case.ground_friction();
             if let Some(told) = recorder.tells_speed(ground) {
                 let error = told.error.unwrap_or(RECORDER_SPEED_ERROR);
                 if differs(told.speed, speed, error) {

@@ -17,9 +17,8 @@ use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
 use crash3::Side;
 use inputs::{
-    Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
-    Faults, Find, GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number,
-    is_of_avoid,
+    Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, Faults, Find,
+    GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -350,7 +349,8 @@ fn found(
     let ways_of = |sight: &SightForm| Ways::of(sight, sought.other, form);
     let ways = form.sight.as_ref().map(ways_of).transpose().map_err(|refusal| unposed(form, refusal))?;
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
-        return Err(hides_the_impact(case, index).into());
+        let what = "lies on the place of the impact, or between the driver's eye and the other party there";
+        return Err(of_obstacle(index, format!("{} {what}", obstacle_name(case, index))));
     }
     let scene = sight::pose(form, sought, &obstacles).map_err(|refusal| unposed(form, refusal))?;
     if is_hit_from_behind(case, form.vehicle, sought.other, scene.at_impact) {
@@ -358,7 +358,12 @@ fn found(
     }
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
-    let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
+    let holds_the_eye = |index| {
+        let name = obstacle_name(case, index);
+        let what = "the way of the driver's eye to the impact leads through";
+        of_obstacle(index, format!("{what} {name}, which would hide everything"))
+    };
+    let hiding = hiding.transpose().map_err(holds_the_eye)?;
     let of_plan = |plan| of_ranges(case, told.as_deref(), by_recorder.as_ref(), &obstacles, plan);
     let chance = plan.map_or(Ok(None), of_plan)?;
     let solved = |meeting| delta_v(case, form.vehicle, meeting, other);
@@ -477,27 +482,18 @@ impl Told {
             let sampled = if estimated.is_none() { sampled(alone, vehicle, plan, progress)? } else { None };
             let warnings = exact.warnings;
             return Ok(Self {
-                from: SpeedSource::Reconstructed,
-                speed,
                 other,
-                exact: None,
                 estimated,
                 warnings,
                 sampled,
+                ..Self::at(SpeedSource::Reconstructed, speed)
             });
         }
         if let Some(speed) = output(vehicle) {
             let other = output(vehicle.other());
             let warnings = estimated.as_ref().map_or_else(Vec::new, |estimated| estimated.warnings.clone());
-            return Ok(Self {
-                from: SpeedSource::Estimated,
-                speed,
-                other,
-                exact: leading,
-                estimated,
-                warnings,
-                sampled: None,
-            });
+            let exact = leading;
+            return Ok(Self { other, exact, estimated, warnings, ..Self::at(SpeedSource::Estimated, speed) });
         }
         match (Self::of_recorder(alone, vehicle, plan), refusal) {
             (Some(told), _) => Ok(told),
@@ -532,15 +528,14 @@ impl Told {
         let found = speed_by_recorder_alone(case, vehicle)?;
         let key = random::key(plan.seed, &[OF_RECORDER]);
         let draw = |index: usize| found.quantile(at_random(key, index));
-        Some(Self {
-            from: SpeedSource::Recorder,
-            speed: found.quantile(0.5),
-            other: None,
-            exact: None,
-            estimated: None,
-            warnings: Vec::new(),
-            sampled: Some([(0..plan.samples).map(draw).collect(), Vec::new()]),
-        })
+        let sampled = Some([(0..plan.samples).map(draw).collect(), Vec::new()]);
+        Some(Self { sampled, ..Self::at(SpeedSource::Recorder, found.quantile(0.5)) })
+    }
+
+    /// A speed (m/s) of which nothing else is known.
+    fn at(from: SpeedSource, speed: f64) -> Self {
+        let (other, exact, estimated, warnings, sampled) = (None, None, None, Vec::new(), None);
+        Self { from, speed, other, exact, estimated, warnings, sampled }
     }
 
     fn doubt(&self) -> Option<NoEstimate> {
@@ -569,9 +564,8 @@ enum RecordedSpeed {
 
 impl RecordedSpeed {
     fn of(case: &Case, vehicle: VehicleId) -> Option<Self> {
-        let ground = case.surface.as_ref().map(|surface| surface.friction);
         let recorder = case.vehicles[vehicle.index()].recorder.as_ref()?;
-        let told = recorder.tells_speed(ground)?;
+        let told = recorder.tells_speed(case.ground_friction())?;
         if told.is_of_table {
             return speed_by_recorder(case, vehicle).map(Self::Table);
         }
@@ -600,8 +594,7 @@ impl RecordedSpeed {
 
 /// The speed at the impact by the table of a vehicle's own recorder.
 fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
-    let ground = case.surface.as_ref().map(|surface| surface.friction);
-    case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)
+    case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(case.ground_friction())
 }
 
 /// The same where the case has no impact, whose evidence would tell it better.
@@ -656,10 +649,9 @@ fn of_ranges(
 ) -> Result<Option<AvoidChance>, Failure> {
     let is_ours = |key: &String| is_of_avoid(key);
     if case.uncertainty.shared.iter().any(|error| error.of.iter().any(is_ours)) {
-        let reason = "a number of [avoid] cannot share an error with others".to_owned();
-        let advice = Some("give each a range of its own".to_owned());
-        let kind = FaultKind::Refused { reason };
-        return Err(Faults::from(Fault { key: "uncertainty.shared".to_owned(), kind, advice }).into());
+        let reason = "a number of [avoid] cannot share an error with others";
+        let fault = Fault::refused("uncertainty.shared", reason, "give each a range of its own");
+        return Err(Faults::from(fault).into());
     }
     let inputs = any_inputs(case)?;
     let mut uncertain = inputs.iter().map(|input| input.place).enumerate().peekable();
@@ -859,7 +851,7 @@ fn delta_v(
 /// What is wrong with numbers that make no scene.
 fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
     let table = format!("vehicle{}", form.vehicle);
-    let (key, reason, advice) = match refusal {
+    let fault = match refusal {
         Unposed::BrakedBefore { distance, time } => {
             let (key, when, given) = match &form.demand {
                 DemandForm::Distance(given) => {
@@ -884,13 +876,12 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             );
             let advice = "a driver cannot react before there is something to see: give an earlier demand, or check \
                           the skid and the speed at the impact";
-            (key.to_owned(), reason, advice.to_owned())
+            Fault::refused(key, reason, advice)
         }
-        Unposed::SkidTooLong => (
+        Unposed::SkidTooLong => Fault::refused(
             format!("{table}.before.skid"),
-            "from the speed of [avoid], this skid ends before the impact".to_owned(),
-            "check its length and friction; or leave `speed` out of [avoid], and give that at the impact"
-                .to_owned(),
+            "from the speed of [avoid], this skid ends before the impact",
+            "check its length and friction; or leave `speed` out of [avoid], and give that at the impact",
         ),
         Unposed::SetsOutLater { distance } => {
             let (key, given) = match &form.demand {
@@ -905,25 +896,24 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 "the phases begin with a stop {set_out} before the impact, and the reaction demand is {given} before it"
             );
             let advice = "give the demand by `time`, or a distance from which the vehicle came moving";
-            (key.to_owned(), reason, advice.to_owned())
+            Fault::refused(key, reason, advice)
         }
-        Unposed::Phases(refusal) => (
+        Unposed::Phases(refusal) => Fault::refused(
             match form.braking {
                 BrakingForm::Recorded { .. } => format!("{table}.recorder.pre_crash"),
                 _ => format!("{table}.before.phase"),
             },
             format!("the vehicle cannot have moved like this: {refusal}"),
             "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
-             brakes"
-                .to_owned(),
+             brakes",
         ),
-        Unposed::OtherPhases(refusal) => (
+        Unposed::OtherPhases(refusal) => Fault::refused(
             format!("vehicle{}.before", form.vehicle.other()),
             format!("the vehicle cannot have moved like this: {refusal}"),
-            "check its phases, skid or recorder against its speed at the impact".to_owned(),
+            "check its phases, skid or recorder against its speed at the impact",
         ),
-        Unposed::Parts => (
-            "avoid.vehicle".to_owned(),
+        Unposed::Parts => Fault::refused(
+            "avoid.vehicle",
             format!(
                 "both vehicles move along one line, and at these speeds vehicle {} does not catch up with vehicle {}",
                 form.vehicle,
@@ -934,8 +924,8 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 form.vehicle.other()
             ),
         ),
-        Unposed::FromBehind => (
-            "avoid.vehicle".to_owned(),
+        Unposed::FromBehind => Fault::refused(
+            "avoid.vehicle",
             format!(
                 "by where they touch, vehicle {} ran into the rear of vehicle {}, whose driver could not have avoided that by braking",
                 form.vehicle.other(),
@@ -946,63 +936,46 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 form.vehicle.other()
             ),
         ),
-        Unposed::Stands => (
+        Unposed::Stands => Fault::refused(
             format!("{table}.speed"),
             format!(
                 "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
             ),
             format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
         ),
-        Unposed::OtherUnknown => (
-            "avoid.sight.other_speed".to_owned(),
-            "nothing tells how fast the other party moves".to_owned(),
-            "give `other_speed` in [avoid.sight], as in other_speed = \"1.5 m/s\"".to_owned(),
+        Unposed::OtherUnknown => Fault::refused(
+            "avoid.sight.other_speed",
+            "nothing tells how fast the other party moves",
+            "give `other_speed` in [avoid.sight], as in other_speed = \"1.5 m/s\"",
         ),
-        Unposed::OtherStands => (
-            "avoid.clear".to_owned(),
-            "the other vehicle stood at the impact, so that it never clears the danger zone".to_owned(),
-            "leave `clear` out".to_owned(),
+        Unposed::OtherStands => Fault::refused(
+            "avoid.clear",
+            "the other vehicle stood at the impact, so that it never clears the danger zone",
+            "leave `clear` out",
         ),
-        Unposed::NeverHidden => (
-            "avoid.demand.sight".to_owned(),
+        Unposed::NeverHidden => Fault::refused(
+            "avoid.demand.sight",
             format!(
                 "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so that the demand cannot be the moment at \
                  which it comes into sight"
             ),
-            "check the corners of [[avoid.obstacle]] and the directions in [avoid.sight], or give `demand` by distance or time".to_owned(),
+            "check the corners of [[avoid.obstacle]] and the directions in [avoid.sight], or give `demand` by distance or time",
         ),
-        Unposed::HiddenAtImpact => (
-            "avoid.obstacle".to_owned(),
-            "an obstacle hides the other party at the impact".to_owned(),
-            "check the corners of [[avoid.obstacle]], and `eye` and `point` of [avoid.sight]".to_owned(),
+        Unposed::HiddenAtImpact => Fault::refused(
+            "avoid.obstacle",
+            "an obstacle hides the other party at the impact",
+            "check the corners of [[avoid.obstacle]], and `eye` and `point` of [avoid.sight]",
         ),
-        Unposed::Engine(refusal) => {
-            ("avoid".to_owned(), refusal.to_string(), "check the numbers of [avoid]".to_owned())
-        }
+        Unposed::Engine(refusal) => Fault::refused("avoid", refusal, "check the numbers of [avoid]"),
     };
-    Faults::from(Fault { key, kind: FaultKind::Refused { reason }, advice: Some(advice) }).into()
+    Faults::from(fault).into()
 }
 
-fn hides_the_impact(case: &Case, index: usize) -> Faults {
-    let reason = format!(
-        "{} lies on the place of the impact, or between the driver's eye and the other party there",
-        obstacle_name(case, index)
-    );
-    of_obstacle(index, reason)
-}
-
-fn holds_the_eye(case: &Case, index: usize) -> Faults {
-    let reason = format!(
-        "the way of the driver's eye to the impact leads through {}, which would hide everything",
-        obstacle_name(case, index)
-    );
-    of_obstacle(index, reason)
-}
-
-fn of_obstacle(index: usize, reason: String) -> Faults {
+/// What is wrong with an obstacle.
+fn of_obstacle(index: usize, reason: String) -> Failure {
     let key = format!("avoid.obstacle[{}]", index + 1);
     let advice = "check its corners, and `eye`, `point` and the directions in [avoid.sight]: all are in the coordinates of the scene";
-    Fault { key, kind: FaultKind::Refused { reason }, advice: Some(advice.to_owned()) }.into()
+    Faults::from(Fault::refused(key, reason, advice)).into()
 }
 
 /// How a sentence calls an obstacle.
@@ -1017,7 +990,7 @@ fn no_speed(vehicle: VehicleId) -> Faults {
     let advice = format!(
         "give `speed` in [avoid], that at the reaction demand, or `speed` in [vehicle{vehicle}], that at the impact"
     );
-    Fault { key: "avoid".to_owned(), kind: FaultKind::Refused { reason }, advice: Some(advice) }.into()
+    Fault::refused("avoid", reason, advice).into()
 }
 
 /// A value in SI, in the unit of another of its kind.

@@ -204,7 +204,7 @@ fn moment_with_rotation(
 ) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
-    if subject.pdof().is_none() && !has_moment {
+    if subject.force.pdof.is_none() && !has_moment {
         return None;
     }
     let centroid = vehicle.damage.as_ref().and_then(|damage| damage.centroid);

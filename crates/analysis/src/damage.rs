@@ -87,7 +87,8 @@ fn vehicle<T: Real>(
     let (Some(given), Some(inertia)) = (&subject.damage, subject.inertia) else {
         return Ok(Vehicle { subject, damage: None, energy });
     };
-    let pdof = given.pdof.or(computed_pdof);
+    let force = subject.force;
+    let pdof = force.pdof.or(computed_pdof);
     // A case of two vehicles without a PDOF gives the angle and the arm themselves, as its demands ensure.
     let known_angle = given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof)));
     let oblique_angle = known_angle.unwrap_or(T::ZERO);
@@ -122,13 +123,13 @@ fn vehicle<T: Real>(
             (profile, SideStiffness::Uniform(*stiffness), Some(inferred))
         }
     };
-    let centroid = match (given.moment_arm, subject.contact, &given.face) {
+    let centroid = match (force.moment_arm, subject.contact, &given.face) {
         (None, None, Some(face)) => Some(face.centroid(&profile, &structure)?),
         _ => None,
     };
     let line = subject.contact.or(centroid).zip(pdof);
     let moment_arm =
-        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
+        force.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
     // An inferred crush has the force from which it was inferred, and less energy than w G if that force
     // leaves no residual crush.
     let (crush_energy, peak_force) = match &inferred {
@@ -165,10 +166,11 @@ fn energy_alone<T: Real>(
     computed_pdof: Option<T>,
 ) -> Result<EnergyAlone<T>, CrushError> {
     let ees = given.ees.unwrap_or(T::ZERO);
-    let pdof = given.pdof.or(computed_pdof);
+    let force = subject.force;
+    let pdof = force.pdof.or(computed_pdof);
     let line = subject.contact.zip(pdof);
     let moment_arm =
-        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
+        force.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
     let crush_energy = crash3::energy_of_equivalent_speed(ees, mass)?;
     Ok(EnergyAlone { crush_energy, ees, pdof, moment_arm })
 }

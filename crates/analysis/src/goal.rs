@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::found::{Found, refused};
 use crate::impact::collide;
 use crate::speeds::BothMethod;
-use crate::travel::{Record, Scene, TravelOrigin, Way, Ways, after_impact, departures, target};
+use crate::travel::{Followed, Record, TravelOrigin, Way, Ways, after_impact, departures};
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -289,50 +289,31 @@ impl Solver<f64> for Search {
 }
 
 impl Ways<f64> for Search {
-    fn follow(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_>,
-        way: &VehicleMotion,
-        start: Motion,
-    ) -> Result<Way, Failure> {
-        scene.to_rest(vehicle, way, start, &Control::default(), |_| {})
+    fn follow(&mut self, of: &Followed<'_>, start: Motion) -> Result<Way, Failure> {
+        of.to_rest(start, &Control::default(), |_| {})
     }
 
     /// Near the solution at the central values: if two starts lead to the same rest position, one turning the
     /// short way and one the long way round, a slightly different sample takes the same one.
-    fn back(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_>,
-        way: &VehicleMotion,
-        rest: &RestData,
-    ) -> Result<Way, Failure> {
+    fn back(&mut self, of: &Followed<'_>, rest: &RestData) -> Result<Way, Failure> {
+        let (way, vehicle) = (of.way, of.vehicle);
         if self.straight[vehicle.index()] {
-            return scene.straight(vehicle, way, rest);
+            return of.straight(rest);
         }
         let Some(near) = &self.near[vehicle.index()] else {
-            return Record::of(TravelOrigin::Rest).back(vehicle, scene, way, rest);
+            return Record::of(TravelOrigin::Rest).back(of, rest);
         };
         let target = Target {
             heading: heading_at_rest(way, rest, near.heading),
             turns_known: true,
             via: None,
-            ..target(way, rest)
+            ..of.target(rest)
         };
-        let (steer, control) = (way.steer.steer(), Control::default());
-        to_start_near(
-            &way.chassis,
-            steer,
-            &scene.ground(way),
-            way.position,
-            way.heading,
-            &target,
-            &control,
-            &near.motion,
-        )
-        .map(|found| Way { start: found.motion, rest: found.rest })
-        .map_err(|reason| Failure::NoStart { vehicle, reason })
+        let (steer, ground, control) = (way.steer.steer(), of.ground(), Control::default());
+        let (place, heading, near) = (way.position, way.heading, &near.motion);
+        to_start_near(&way.chassis, steer, &ground, place, heading, &target, &control, near)
+            .map(|found| Way { start: found.motion, rest: found.rest })
+            .map_err(|reason| Failure::NoStart { vehicle, reason })
     }
 }
 
@@ -433,28 +414,16 @@ impl Solver<Traced> for Known<'_> {
 }
 
 impl Ways<Traced> for Known<'_> {
-    fn follow(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_, Traced>,
-        way: &VehicleMotion<Traced>,
-        start: Motion<Traced>,
-    ) -> Result<Way<Traced>, Failure> {
-        let time = self.times[vehicle.index()];
-        scene.to_rest(vehicle, way, start, &differentiated(time), |_| {})
+    fn follow(&mut self, of: &Followed<'_, Traced>, start: Motion<Traced>) -> Result<Way<Traced>, Failure> {
+        of.to_rest(start, &differentiated(self.times[of.vehicle.index()]), |_| {})
     }
 
-    fn back(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_, Traced>,
-        way: &VehicleMotion<Traced>,
-        rest: &RestData<Traced>,
-    ) -> Result<Way<Traced>, Failure> {
+    fn back(&mut self, of: &Followed<'_, Traced>, rest: &RestData<Traced>) -> Result<Way<Traced>, Failure> {
+        let way = of.way;
         let velocity = Vector2::new(self.next(), self.next());
         let start = Motion { velocity, yaw_rate: self.next() };
-        let found = self.follow(vehicle, scene, way, start)?.rest;
-        if self.straight[vehicle.index()] {
+        let found = self.follow(of, start)?.rest;
+        if self.straight[of.vehicle.index()] {
             // V along the line to the rest, no yaw, and a path as long as the measured one
             let apart = rest.position - way.position;
             self.residuals.extend([

@@ -442,11 +442,11 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         if let Some(crush) = &vehicle.crush {
             of_crush(id, crush, subject.as_ref(), case.left_out.fit[id.index()], &mut assumptions);
         }
-        if let Some(energy) = subject.as_ref().and_then(|subject| subject.energy)
-            && energy.moment_arm.is_none()
-            && (energy.pdof.is_none() || energy.pdof_follows)
+        if let Some(VehicleData { energy: Some(_), force, .. }) = subject
+            && force.moment_arm.is_none()
+            && (force.pdof.is_none() || force.pdof_follows)
         {
-            assumptions.push(Assumption::Pdof { vehicle: id, opposite: energy.pdof });
+            assumptions.push(Assumption::Pdof { vehicle: id, opposite: force.pdof });
         }
         let takes_friction = vehicle.skid().is_some_and(|skid| skid.friction.is_none());
         if let Some(surface) = case.surface.as_ref().filter(|_| takes_friction) {
@@ -458,7 +458,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     }
     if case.vehicles.iter().any(GivenVehicle::is_absent) {
         // If no direction of the force is known, no correction for it is assumed.
-        let is_directed = subjects.iter().flatten().any(|subject| subject.pdof().is_some());
+        let is_directed = subjects.iter().flatten().any(|subject| subject.force.pdof.is_some());
         assumptions.retain(|assumption| match assumption {
             Assumption::Pdof { .. } => false,
             Assumption::CappedCorrection { .. } => is_directed,
@@ -562,7 +562,7 @@ fn of_crush(
         assumptions.push(Assumption::Centred { vehicle, side: crush.side });
     }
     if crush.pdof.is_none() && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
-        let opposite = damage.and_then(|damage| damage.pdof);
+        let opposite = subject.and_then(|subject| subject.force.pdof);
         assumptions.push(Assumption::Pdof { vehicle, opposite });
     }
     if crush.oblique.is_none() {

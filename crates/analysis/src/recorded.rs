@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_6;
 
 use crash3::EnergyBasis;
 use inputs::{
-    Case, Dimension, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, OtherImpact, Pdof, Quantity,
-    Recorder, RecordersDeltaV, SeriesSource,
+    Case, Dimension, Fault, GivenSeries, GivenVehicle, KnownEnergy, OtherImpact, Pdof, Quantity, Recorder,
+    RecordersDeltaV, SeriesSource,
 };
 use pim_core::VehicleId;
 use recorder::{
@@ -310,10 +310,8 @@ fn unread(case: &Case) -> Option<(String, String)> {
 pub(crate) fn is_read(case: &Case) -> Result<(), Failure> {
     let Some((key, name)) = unread(case) else { return Ok(()) };
     let reason = format!("the file {name} of the recorder was not read: a case alone has no folder");
-    let advice =
-        "write the lines of the file into the case: text = \"\"\"…\"\"\" in place of file".to_owned();
-    let kind = FaultKind::Refused { reason };
-    Err(Failure::Case(Fault { key, kind, advice: Some(advice) }.into()))
+    let advice = "write the lines of the file into the case: text = \"\"\"…\"\"\" in place of file";
+    Err(Failure::Case(Fault::refused(key, reason, advice).into()))
 }
 
 /// The readings of the recorders of a case on their own.
@@ -322,7 +320,7 @@ pub(crate) fn is_read(case: &Case) -> Result<(), Failure> {
 /// [`Failure`] if no vehicle has a table of a recorder.
 pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
     is_read(case)?;
-    let ground = case.surface.as_ref().map(|surface| surface.friction);
+    let ground = case.ground_friction();
     let vehicles = VehicleId::ALL.map(|id| {
         let recorder = case.vehicles[id.index()].recorder.as_ref()?;
         let has_table = recorder.pre_crash.is_some() || recorder.pulse.is_some();
@@ -343,18 +341,10 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         Some(VehicleReading { others: readings, ..first })
     });
     if vehicles.iter().all(Option::is_none) {
-        let reason =
-            "no recorder of the case has a table: neither `pre_crash`, nor `pulse`, nor `records`".to_owned();
-        let advice =
-            "give one in [vehicle1.recorder] or [vehicle2.recorder]: pre_crash = { file = \"edr.csv\" }, \
-                      or pre_crash = { text = \"\"\"…\"\"\" } with the table as copied from the report"
-                .to_owned();
-        let fault = Fault {
-            key: "vehicle1.recorder".to_owned(),
-            kind: FaultKind::Refused { reason },
-            advice: Some(advice),
-        };
-        return Err(Failure::Case(fault.into()));
+        let reason = "no recorder of the case has a table: neither `pre_crash`, nor `pulse`, nor `records`";
+        let advice = "give one in [vehicle1.recorder] or [vehicle2.recorder]: pre_crash = { file = \"edr.csv\" }, \
+                      or pre_crash = { text = \"\"\"…\"\"\" } with the table as copied from the report";
+        return Err(Failure::Case(Fault::refused("vehicle1.recorder", reason, advice).into()));
     }
     Ok(RecorderReading { vehicles })
 }

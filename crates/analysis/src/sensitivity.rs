@@ -347,18 +347,16 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
         let pdof = nominal_pdof.map(|pdof| pdof.map(turned));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
-            if let Some(energy) = &mut subject.energy {
-                if energy.moment_arm.is_none() && (pdof.is_none() || subject.contact.is_none()) {
-                    return Ok(Vec::new());
-                }
-                energy.pdof = pdof;
+            let is_open = subject.energy.is_some() && subject.force.moment_arm.is_none();
+            if is_open && (pdof.is_none() || subject.contact.is_none()) {
+                return Ok(Vec::new());
             }
+            subject.force.pdof = pdof;
             let Some(damage) = &mut subject.damage else { continue };
             // Without a PDOF, or without a point that the force acts through, there is nothing to turn.
             if pdof.is_none() || (subject.contact.is_none() && damage.face.is_none()) {
                 return Ok(Vec::new());
             }
-            damage.pdof = pdof;
             // α = PDOF − PDOF of a square hit: an α in the file thus determines how the damaged surface is
             // oriented, which does not turn with the force. A given arm stays, as no point is known from
             // which to compute it for another direction.

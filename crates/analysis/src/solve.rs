@@ -1,6 +1,6 @@
 //! Solves a case, with all checks and warnings.
 
-use inputs::{Case, CollisionData, CrushEvidence, Purpose, SurfaceData, VehicleData};
+use inputs::{Case, CollisionData, CrushEvidence, ForceData, Purpose, SurfaceData, VehicleData};
 use pim_core::Motion;
 use reconcile::SolutionMethod;
 
@@ -87,7 +87,12 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
     departures(Some(&input), given, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
     let travel = record.travel;
     let bare = |subject: Option<VehicleData>| Vehicle {
-        subject: VehicleData { damage: None, energy: None, ..subject.unwrap_or(NOTHING) },
+        subject: VehicleData {
+            damage: None,
+            energy: None,
+            force: ForceData::UNKNOWN,
+            ..subject.unwrap_or(NOTHING)
+        },
         damage: None,
         energy: None,
     };
@@ -103,8 +108,10 @@ pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
     let CollisionData { contact, mut vehicles, .. } = case.geometry()?;
     for vehicle in &mut vehicles {
         // A crush can only be inferred with the direction of the force, which is unknown without the speeds.
-        vehicle.damage =
-            vehicle.damage.take().filter(|damage| matches!(damage.evidence, CrushEvidence::Measured { .. }));
+        let evidence = vehicle.damage.as_ref().map(|damage| &damage.evidence);
+        if matches!(evidence, Some(CrushEvidence::ForceBalance { .. })) {
+            (vehicle.damage, vehicle.force) = (None, ForceData::UNKNOWN);
+        }
     }
     let vehicles = damage::assess(vehicles, [None, None])?;
     Ok(Analysis { geometry: Some(contact), ..Analysis::unsolved(vehicles) })

@@ -136,8 +136,10 @@ pub enum ClosedForm {
     Spin(SpinStart),
 }
 
-/// The ground of a case.
-pub(crate) struct Scene<'a, T = f64> {
+/// A vehicle on the ground of a case, which can be followed from the impact to rest.
+pub(crate) struct Followed<'a, T = f64> {
+    pub(crate) vehicle: VehicleId,
+    pub(crate) way: &'a VehicleMotion<T>,
     surface: &'a SurfaceData<T>,
     zones: Vec<FrictionZone<'a, T>>,
 }
@@ -161,42 +163,43 @@ struct Left {
     others: Vec<Start>,
 }
 
-impl<'a, T: Real> Scene<'a, T> {
-    pub(crate) fn new(surface: &'a SurfaceData<T>) -> Self {
-        Self { surface, zones: surface.zones() }
+impl<'a, T: Real> Followed<'a, T> {
+    /// `None` if the input leaves the vehicle out.
+    pub(crate) fn of(input: &'a MotionInput<T>, vehicle: VehicleId) -> Option<Self> {
+        let (way, surface) = (input.vehicles[vehicle.index()].as_ref()?, &input.surface);
+        Some(Self { vehicle, way, surface, zones: surface.zones() })
     }
 
-    /// The ground under a vehicle.
-    pub(crate) fn ground(&self, way: &VehicleMotion<T>) -> Ground<'_, T> {
-        Ground { friction: way.friction_on(self.surface), zones: &self.zones, grade: self.surface.grade }
+    /// The ground under it.
+    pub(crate) fn ground(&self) -> Ground<'_, T> {
+        Ground { friction: self.way.friction_on(self.surface), zones: &self.zones, grade: self.surface.grade }
     }
 
-    /// The path of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
+    /// Its path if it leaves the impact with the motion `start`; `record` gets the samples.
     pub(crate) fn to_rest(
         &self,
-        vehicle: VehicleId,
-        way: &VehicleMotion<T>,
         start: Motion<T>,
         control: &Control,
         record: impl FnMut(&Sample<T>),
     ) -> Result<Way<T>, Failure> {
+        let (way, vehicle) = (self.way, self.vehicle);
         let state = State { position: way.position, heading: way.heading, motion: start };
-        to_rest(&way.chassis, way.steer.steer(), &self.ground(way), &state, control, record)
+        to_rest(&way.chassis, way.steer.steer(), &self.ground(), &state, control, record)
             .map(|rest| Way { start, rest })
             .map_err(|reason| Failure::NoRest { vehicle, reason })
     }
 }
 
-impl Scene<'_> {
-    /// The motion that leads to the rest position of a vehicle.
-    fn back(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
-        if !leaves_straight(way, rest) {
-            return self.sought(vehicle, way, rest);
+impl Followed<'_> {
+    /// The motion that leads to its rest position.
+    fn back(&self, rest: &RestData) -> Result<Left, Failure> {
+        if !leaves_straight(self.way, rest) {
+            return self.sought(rest);
         }
-        let straight = self.straight(vehicle, way, rest)?;
+        let straight = self.straight(rest)?;
         let miss = (straight.rest.position - rest.position).norm();
         let is_missed = miss > REST_SURVEY && miss > REST_SEARCHED * straight.rest.distance;
-        if is_missed && let Ok(sought) = self.sought(vehicle, way, rest) {
+        if is_missed && let Ok(sought) = self.sought(rest) {
             // Rolling wheels curved the path: the line to the rest position is not its initial direction.
             let turns = |motion: &Motion| motion.yaw_rate.abs();
             let motions = sought.others.iter().map(|other| other.motion);
@@ -210,21 +213,14 @@ impl Scene<'_> {
     }
 
     /// The same by a search of all motions.
-    fn sought(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
-        let starts = to_start(
-            &way.chassis,
-            way.steer.steer(),
-            &self.ground(way),
-            way.position,
-            way.heading,
-            &target(way, rest),
-            &Control::default(),
-        )
-        .map_err(|reason| Failure::NoStart { vehicle, reason })?;
-        let mut starts: Vec<(f64, Start)> = starts
-            .iter()
-            .map(|start| Ok((self.off(vehicle, way, start)?, *start)))
-            .collect::<Result<_, Failure>>()?;
+    fn sought(&self, rest: &RestData) -> Result<Left, Failure> {
+        let (way, vehicle) = (self.way, self.vehicle);
+        let (steer, ground, target) = (way.steer.steer(), self.ground(), self.target(rest));
+        let control = Control::default();
+        let starts = to_start(&way.chassis, steer, &ground, way.position, way.heading, &target, &control)
+            .map_err(|reason| Failure::NoStart { vehicle, reason })?;
+        let off = |start: &Start| Ok((self.off(start)?, *start));
+        let mut starts: Vec<(f64, Start)> = starts.iter().map(off).collect::<Result<_, Failure>>()?;
         // If the points do not distinguish them, the order of `to_start` remains: the smallest turn first.
         starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let mut starts = starts.into_iter();
@@ -236,28 +232,22 @@ impl Scene<'_> {
 
     /// (–) the largest miss of a point by the path of a start, in position or by the turn of the wheelbase,
     /// as a share of the path; zero without points.
-    fn off(&self, vehicle: VehicleId, way: &VehicleMotion, start: &Start) -> Result<f64, Failure> {
-        let passes = self.passes(vehicle, way, start.motion, Control::default().tolerance)?;
-        let share = |pass: &Pass| pass.share(way.chassis.wheelbase(), start.rest.distance);
+    fn off(&self, start: &Start) -> Result<f64, Failure> {
+        let passes = self.passes(start.motion, Control::default().tolerance)?;
+        let share = |pass: &Pass| pass.share(self.way.chassis.wheelbase(), start.rest.distance);
         Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
-    /// How a vehicle that leaves the impact with the motion `start` passes its points. A step of its path may
-    /// have an error of `tolerance` (m).
-    pub(crate) fn passes(
-        &self,
-        vehicle: VehicleId,
-        way: &VehicleMotion,
-        start: Motion,
-        tolerance: f64,
-    ) -> Result<Vec<Pass>, Failure> {
-        if way.points.is_empty() {
+    /// How it passes its points if it leaves the impact with the motion `start`. A step of its path may have
+    /// an error of `tolerance` (m).
+    pub(crate) fn passes(&self, start: Motion, tolerance: f64) -> Result<Vec<Pass>, Failure> {
+        if self.way.points.is_empty() {
             return Ok(Vec::new());
         }
         let control = Control { tolerance, longest_step: LONGEST_BETWEEN, ..Control::default() };
         let mut places = Vec::new();
         let mut before: Option<Sample> = None;
-        self.to_rest(vehicle, way, start, &control, |sample| {
+        self.to_rest(start, &control, |sample| {
             if let Some(before) = before.replace(*sample) {
                 let shares = ((sample.time - before.time) / BETWEEN_PLACES).ceil().max(1.0);
                 let at =
@@ -270,22 +260,17 @@ impl Scene<'_> {
             }
             places.push(place(&sample.state));
         })?;
-        Ok(way.points.iter().map(|point| pass(&places, &way.chassis, point)).collect())
+        Ok(self.way.points.iter().map(|point| pass(&places, &self.way.chassis, point)).collect())
     }
 
     /// The path that begins straight towards the rest position, without yaw, with the measured length.
-    pub(crate) fn straight(
-        &self,
-        vehicle: VehicleId,
-        way: &VehicleMotion,
-        rest: &RestData,
-    ) -> Result<Way, Failure> {
-        let apart = rest.position - way.position;
+    pub(crate) fn straight(&self, rest: &RestData) -> Result<Way, Failure> {
+        let apart = rest.position - self.way.position;
         let length = apart.norm();
         let reach = |speed: f64| {
             let start = Motion { velocity: apart * (speed / length), yaw_rate: 0.0 };
-            let reached = self.to_rest(vehicle, way, start, &Control::default(), |_| {})?;
-            Ok::<_, Failure>((reached, (reached.rest.position - way.position).norm()))
+            let reached = self.to_rest(start, &Control::default(), |_| {})?;
+            Ok::<_, Failure>((reached, (reached.rest.position - self.way.position).norm()))
         };
         // The path length grows with the speed: bracket it between too short and too long.
         let (mut low, mut high) = (0.0, f64::INFINITY);
@@ -309,7 +294,18 @@ impl Scene<'_> {
         let miss = (reached - length).abs();
         let reason =
             Unreached::Missed { motion: start, position: rest.position, heading: rest.heading, miss };
-        Err(Failure::NoStart { vehicle, reason })
+        Err(Failure::NoStart { vehicle: self.vehicle, reason })
+    }
+
+    /// The target of the search for the motion that leads to its rest position.
+    pub(crate) fn target(&self, rest: &RestData) -> Target {
+        let of_cg = self.way.points.iter().find(|point| point.wheel.is_none());
+        Target {
+            position: rest.position,
+            heading: rest.heading.heading(self.way.heading),
+            turns_known: rest.heading.turns_are_known(),
+            via: of_cg.map(|point| point.position),
+        }
     }
 }
 
@@ -355,22 +351,10 @@ fn pass(places: &[(Vector2<f64>, f64)], chassis: &Chassis, point: &PointData) ->
 /// The source of the vehicles' paths.
 pub(crate) trait Ways<T: Real> {
     /// The path of a vehicle that left the impact with the motion `start`.
-    fn follow(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_, T>,
-        way: &VehicleMotion<T>,
-        start: Motion<T>,
-    ) -> Result<Way<T>, Failure>;
+    fn follow(&mut self, of: &Followed<'_, T>, start: Motion<T>) -> Result<Way<T>, Failure>;
 
     /// The path that leads to the rest position of a vehicle.
-    fn back(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_, T>,
-        way: &VehicleMotion<T>,
-        rest: &RestData<T>,
-    ) -> Result<Way<T>, Failure>;
+    fn back(&mut self, of: &Followed<'_, T>, rest: &RestData<T>) -> Result<Way<T>, Failure>;
 }
 
 /// How a vehicle left the impact, if known, and its path from there, if it can be followed.
@@ -382,26 +366,24 @@ pub(crate) fn departures<T: Real>(
     given: [Option<Departure<T>>; 2],
     ways: &mut impl Ways<T>,
 ) -> Result<[Leaving<T>; 2], Failure> {
-    let scene = motion.map(|motion| Scene::new(&motion.surface));
-    let mut of = |id: VehicleId| {
+    let mut leaving = |id: VehicleId| {
         let given = given[id.index()];
-        let way = motion.and_then(|motion| motion.vehicles[id.index()].as_ref());
-        let Some((scene, way)) = scene.as_ref().zip(way) else { return Ok((given, None)) };
-        let leaving: Leaving<T> = match (given, &way.rest) {
+        let Some(of) = motion.and_then(|motion| Followed::of(motion, id)) else { return Ok((given, None)) };
+        let leaving: Leaving<T> = match (given, &of.way.rest) {
             (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), _) => {
-                (given, Some(ways.follow(id, scene, way, Motion { velocity, yaw_rate })?))
+                (given, Some(ways.follow(&of, Motion { velocity, yaw_rate })?))
             }
             // A velocity without a yaw rate does not lead to a rest position.
             (Some(_), _) | (None, None) => (given, None),
             (None, Some(rest)) => {
-                let found = ways.back(id, scene, way, rest)?;
+                let found = ways.back(&of, rest)?;
                 let Motion { velocity, yaw_rate } = found.start;
                 (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), Some(found))
             }
         };
         Ok::<_, Failure>(leaving)
     };
-    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
+    Ok([leaving(VehicleId::One)?, leaving(VehicleId::Two)?])
 }
 
 /// The paths of both vehicles after an impact.
@@ -410,12 +392,8 @@ pub(crate) fn after_impact<T: Real>(
     after: [Motion<T>; 2],
     ways: &mut impl Ways<T>,
 ) -> Result<[Option<Way<T>>; 2], Failure> {
-    let scene = Scene::new(&input.surface);
-    let mut of = |id: VehicleId| {
-        let way = input.vehicles[id.index()].as_ref();
-        way.map(|way| ways.follow(id, &scene, way, after[id.index()])).transpose()
-    };
-    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
+    let mut way = |id| Followed::of(input, id).map(|of| ways.follow(&of, after[id.index()])).transpose();
+    Ok([way(VehicleId::One)?, way(VehicleId::Two)?])
 }
 
 /// Finds the paths of an analysis and keeps all of them.
@@ -439,32 +417,25 @@ impl Record {
         input: &MotionInput,
         start: Start,
     ) -> Result<Option<Way>, Failure> {
-        let scene = Scene::new(&input.surface);
-        let Some(way) = &input.vehicles[vehicle.index()] else { return Ok(None) };
+        let Some(of) = Followed::of(input, vehicle) else { return Ok(None) };
         let Some(travel) = &self.travel[vehicle.index()] else { return Ok(None) };
         let starts = std::iter::once(travel.used()).chain(travel.others.iter().copied());
         let others = starts.filter(|other| other.motion != start.motion).collect();
         let left = Left { origin: TravelOrigin::Rest, motion: start.motion, others };
-        self.keep(vehicle, &scene, way, left).map(Some)
+        self.keep(&of, left).map(Some)
     }
 
-    fn keep(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_>,
-        input: &VehicleMotion,
-        left: Left,
-    ) -> Result<Way, Failure> {
+    fn keep(&mut self, of: &Followed<'_>, left: Left) -> Result<Way, Failure> {
+        let input = of.way;
         let start = State { position: input.position, heading: input.heading, motion: left.motion };
         let mut samples = Vec::new();
-        let way = scene
-            .to_rest(vehicle, input, left.motion, &Control::default(), |sample| samples.push(*sample))?;
-        let passes = scene.passes(vehicle, input, left.motion, Control::default().tolerance)?;
-        self.travel[vehicle.index()] = Some(Travel {
+        let way = of.to_rest(left.motion, &Control::default(), |sample| samples.push(*sample))?;
+        let passes = of.passes(left.motion, Control::default().tolerance)?;
+        self.travel[of.vehicle.index()] = Some(Travel {
             origin: left.origin,
             chassis: input.chassis,
             steer: input.steer.steer().at(0.0),
-            friction: input.friction_on(scene.surface),
+            friction: input.friction_on(of.surface),
             start,
             samples,
             rest: way.rest,
@@ -472,50 +443,25 @@ impl Record {
             points: input.points.clone(),
             passes,
             others: left.others,
-            closed: closed_form(scene.surface, input, left.origin, &start, &way.rest),
+            closed: closed_form(of, left.origin, &start, &way.rest),
         });
         Ok(way)
     }
 }
 
 impl Ways<f64> for Record {
-    fn follow(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_>,
-        way: &VehicleMotion,
-        start: Motion,
-    ) -> Result<Way, Failure> {
-        let left = Left { origin: self.origin, motion: start, others: Vec::new() };
-        self.keep(vehicle, scene, way, left)
+    fn follow(&mut self, of: &Followed<'_>, start: Motion) -> Result<Way, Failure> {
+        self.keep(of, Left { origin: self.origin, motion: start, others: Vec::new() })
     }
 
-    fn back(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_>,
-        way: &VehicleMotion,
-        rest: &RestData,
-    ) -> Result<Way, Failure> {
-        let left = scene.back(vehicle, way, rest)?;
-        self.keep(vehicle, scene, way, left)
-    }
-}
-
-/// The target of the search for the motion that leads to a rest position.
-pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
-    Target {
-        position: rest.position,
-        heading: rest.heading.heading(input.heading),
-        turns_known: rest.heading.turns_are_known(),
-        via: input.points.iter().find(|point| point.wheel.is_none()).map(|point| point.position),
+    fn back(&mut self, of: &Followed<'_>, rest: &RestData) -> Result<Way, Failure> {
+        self.keep(of, of.back(rest)?)
     }
 }
 
 /// The start of the path by a closed form; `None` if the assumptions of none hold.
 fn closed_form(
-    surface: &SurfaceData,
-    input: &VehicleMotion,
+    &Followed { way: input, surface, .. }: &Followed<'_>,
     origin: TravelOrigin,
     start: &State,
     rest: &Rest,

@@ -9,7 +9,8 @@ use std::ops::ControlFlow;
 
 use ::uncertainty::{
     Distribution, FirstOrder, Instructions, InvalidDistribution, InvalidRequest, LANES, Lanes, Model,
-    Progress, Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation, join,
+    Progress, Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation, evaluate_each,
+    join,
 };
 use crash3::CrushError;
 use inputs::{
@@ -519,9 +520,8 @@ fn no_range(case: &Case) -> Fault {
 /// The advice for a case that has none of the requested outputs.
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
-    let reason = "the case has none of the outputs that are asked for".to_owned();
     let advice = format!("its outputs are {}", names.join(", "));
-    Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: Some(advice) }
+    Fault::refused("", "the case has none of the outputs that are asked for", advice)
 }
 
 /// The distribution of a shared error.
@@ -675,21 +675,13 @@ impl<'a> Sample<'a> {
         reasons: &mut [u8; LANES],
         settled: &[bool; LANES],
     ) {
-        let mut numbers = vec![0.0; inputs.len()];
-        let mut results = vec![0.0; outputs.len()];
-        for (lane, reason) in reasons.iter_mut().enumerate().filter(|(lane, _)| !settled[*lane]) {
-            for (number, column) in numbers.iter_mut().zip(inputs) {
-                *number = column[lane];
-            }
-            match self.answer(&numbers, &mut results) {
-                Ok(()) => {
-                    for (result, column) in results.iter().zip(outputs.iter_mut()) {
-                        column[lane] = *result;
-                    }
-                }
-                Err(refusal) => *reason = refusal.code(),
-            }
-        }
+        evaluate_each(
+            inputs,
+            outputs,
+            reasons,
+            |lane| !settled[lane],
+            |numbers, results| self.answer(numbers, results).map_err(Reason::code),
+        );
     }
 
     /// The case of a sample with these uncertain numbers.

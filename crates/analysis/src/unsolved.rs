@@ -1,6 +1,6 @@
 //! The warnings on a case that need no answer.
 
-use inputs::{Basis, Case, CollisionData, VehicleData};
+use inputs::{Basis, Case, CollisionData, ForceData, VehicleData};
 
 use crate::checks;
 use crate::damage;
@@ -33,13 +33,14 @@ fn of_vehicles(
     warnings: &mut Vec<Warning>,
 ) {
     let directed = subjects.each_ref().map(|subject| {
-        subject.damage.as_ref().is_some_and(|damage| damage.pdof.or(damage.oblique_angle).is_some())
+        let damage = subject.damage.as_ref();
+        damage.is_some_and(|damage| subject.force.pdof.or(damage.oblique_angle).is_some())
     });
     // A force can be balanced only where both angles to it are known.
     if directed != [true; 2] {
         for (subject, vehicle) in subjects.iter_mut().zip(&case.vehicles) {
             if vehicle.crush.as_ref().is_some_and(|crush| crush.from_force_balance) {
-                subject.damage = None;
+                (subject.damage, subject.force) = (None, ForceData::UNKNOWN);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A vehicle of an analysis, and its damage.
 
 use crash3::{CrushRange, ObliqueFactor, SideStiffness, UniformCrush};
-use inputs::{CrushEvidence, VehicleData};
+use inputs::{CrushEvidence, ForceData, VehicleData};
 use pim_core::Real;
 
 use crate::thresholds::HALF_HOUR;
@@ -68,13 +68,12 @@ impl Vehicle {
 
     /// (rad) the PDOF that the file gives for this vehicle itself.
     pub(crate) fn given_pdof(&self) -> Option<f64> {
-        self.subject.pdof().filter(|_| !self.subject.pdof_follows())
+        self.subject.force.pdof.filter(|_| !self.subject.force.pdof_follows)
     }
 
     /// (rad) how far the direction of force may be from the middle of the given hour; 0 for an angle.
     pub(crate) fn half_hour(&self) -> f64 {
-        let is_hour = self.subject.pdof_is_hour();
-        if is_hour { HALF_HOUR } else { 0.0 }
+        if self.subject.force.pdof_is_hour { HALF_HOUR } else { 0.0 }
     }
 
     /// (m/s) b_0, the highest speed without crush on the damaged width: its energy is G.
@@ -171,4 +170,5 @@ pub(crate) const NOTHING: VehicleData = VehicleData {
     deformation_energy: None,
     damage: None,
     energy: None,
+    force: ForceData::UNKNOWN,
 };

@@ -125,18 +125,12 @@ pub enum CaseProblem {
     /// Keys that do not make up a valid form of the value.
     #[error("\"{path}\" gives {}", not_valid(given, "set of keys"))]
     NoForm { path: String, given: Vec<&'static str>, forms: &'static str },
-    /// A key that a fixed object cannot have.
-    #[error("{table} is fixed, so it cannot give \"{key}\"")]
-    FixedHas { table: String, key: &'static str },
-    /// A key that only a fixed object can have, for a vehicle that moves.
-    #[error("{table} gives \"{key}\", which only a fixed object has")]
-    OfObject { table: String, key: &'static str },
+    /// A key that another one of its table excludes.
+    #[error("{table} {because}, so it cannot give \"{key}\"")]
+    CannotGive { table: String, key: &'static str, because: &'static str, instead: &'static str },
     /// An outline with parts missing.
     #[error("{table} gives {} of the outline, but not {}", join(given, "and"), join(missing, "and"))]
     HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
-    /// Too few depths.
-    #[error("\"{path}\" has {}, but a profile needs at least two", counted(*count, "station"))]
-    TooFewStations { path: String, count: usize },
     /// Too many values in a list.
     #[error("\"{path}\" has {count} values, but at most {limit} are accepted")]
     TooMany { path: String, count: usize, limit: usize },
@@ -159,12 +153,6 @@ pub enum CaseProblem {
     /// An hour in an unsupported notation.
     #[error("\"{path}\" is \"{text}\", which is not how a clock hour is written here")]
     HourForm { path: String, text: String, hour: Option<u8> },
-    /// A key that only a measured crush can have.
-    #[error("{table} takes its crush from the force balance, so it cannot give \"{key}\"")]
-    InferredHas { table: String, key: &'static str },
-    /// A key that the energy equivalent speed replaces.
-    #[error("{table} gives \"ees\", so it cannot give \"{key}\"")]
-    EesHas { table: String, key: &'static str },
     /// Keys that do not make up a range.
     #[error("{path} gives {}", not_valid(given, "range"))]
     NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
@@ -201,9 +189,7 @@ impl CaseProblem {
                 | Self::KeyOfOtherLaw { .. }
                 | Self::MissingKeyOfLaw { .. }
                 | Self::NoForm { .. }
-                | Self::OfObject { .. }
                 | Self::HalfOutline { .. }
-                | Self::TooFewStations { .. }
                 | Self::NoPoints { .. }
                 | Self::ValueCount { .. }
                 | Self::NoRangeForm { .. }
@@ -346,22 +332,12 @@ impl CaseProblem {
                 .to_owned(),
             Self::Both { first, second, .. } => format!("keep only one of the two: {first} or {second}"),
             Self::NoForm { path, forms, .. } => format!("write {}", suited(path, forms)),
-            Self::FixedHas { key, .. } => {
-                format!("remove {key}, or remove fixed = true if this vehicle can move")
-            }
-            Self::OfObject { key, .. } => {
-                let instead = match *key {
-                    "diameter" => "give length, width and cg_to_front instead",
-                    _ => "give its crush instead",
-                };
-                format!("for a tree, a pole or a barrier, add fixed = true; for a vehicle, {instead}")
-            }
+            Self::CannotGive { key, instead, .. } => format!("remove {key}, or remove {instead}"),
             Self::HalfOutline { missing, .. } => format!(
                 "add {}, or leave out all three of length, width and cg_to_front: a drawing of the body and a check of the \
                  contact point need all of them",
                 join(missing, "and")
             ),
-            Self::TooFewStations { .. } => "give at least the depths at both ends of the damage".to_owned(),
             Self::NoPoints { .. } => format!("write, for example, {}", suited("", RESTITUTION_FORMS)),
             Self::ValueCount { .. } => format!(
                 "give both lists the same number of points, as in {} and {}",
@@ -380,12 +356,6 @@ impl CaseProblem {
                  the right, and half an hour is 15 deg",
                 hour.unwrap_or(2)
             ),
-            Self::InferredHas { key, .. } => {
-                format!("remove {key}, or remove from_force_balance = true if the damage was measured")
-            }
-            Self::EesHas { key, .. } => {
-                format!("remove {key}, or remove ees if the energy is to follow from the crush depths")
-            }
             Self::NoRangeForm { forms, .. } => format!("write {forms}"),
             Self::NoRange { path, example } => format!("write, for example, {}", suited(path, example)),
             Self::NotRising { low, high, .. } if low.in_unit(high.unit) == high.number => {

@@ -157,26 +157,15 @@ impl Generator {
             Form::Keys(keys) => {
                 object(json!({ "type": "array", "items": { "type": "string", "enum": keys } }))
             }
-            Form::Number(bounds) => {
-                let mut node = object(json!({ "type": ["number", "object"] }));
-                node.extend(limits(bounds));
-                node.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
-                node
-            }
-            Form::Numbers(bounds) => {
-                let mut items = object(json!({ "type": ["number", "object"] }));
-                items.extend(limits(bounds));
-                items.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
-                object(json!({ "type": "array", "maxItems": MOST_STATIONS, "items": items }))
-            }
+            Form::Number(bounds) => self.number_or_table(json!({}), bounds, &[&RANGE]),
+            Form::Numbers(bounds) => object(json!({
+                "type": "array",
+                "maxItems": MOST_STATIONS,
+                "items": self.number_or_table(json!({}), bounds, &[&RANGE]),
+            })),
             Form::Quantity(dimension, bounds) => self.quantity_or_range(dimension, bounds),
             Form::Exact(dimension, bounds) => self.quantity(dimension, bounds),
-            Form::Sourced(dimension, bounds) => {
-                let mut node =
-                    object(json!({ "type": ["string", "object"], "pattern": pattern(dimension, bounds) }));
-                node.extend(self.content(&[&SOURCED_RANGE], Some(Kind::Quantity(dimension, bounds))));
-                node
-            }
+            Form::Sourced(dimension, bounds) => self.quantity_or(&SOURCED_RANGE, dimension, bounds),
             Form::QuantityOrTables(dimension, bounds, schema) => {
                 let mut node = self.quantity_or_range(dimension, bounds);
                 node.insert("type".into(), json!(["string", "object", "array"]));
@@ -186,10 +175,9 @@ impl Generator {
                 node
             }
             Form::Wheels(bounds, words) => {
-                let mut wheel = object(json!({ "type": ["number", "object", "string"] }));
-                wheel.insert("pattern".into(), json!(format!("^(?:{})$", words.join("|"))));
-                wheel.extend(limits(bounds));
-                wheel.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
+                let pattern = format!("^(?:{})$", words.join("|"));
+                let of_word = json!({ "type": ["number", "object", "string"], "pattern": pattern });
+                let wheel = self.number_or_table(of_word, bounds, &[&RANGE]);
                 let mut node = wheel.clone();
                 node.insert("type".into(), json!(["number", "object", "string", "array"]));
                 node.insert("minItems".into(), json!(WHEELS));
@@ -237,12 +225,7 @@ impl Generator {
                 let table = self.table(schema);
                 object(json!({ "if": { "type": "string" }, "then": { "enum": words }, "else": table }))
             }
-            Form::NumberOrTable(bounds, schema) => {
-                let mut node = object(json!({ "type": ["number", "object"] }));
-                node.extend(limits(bounds));
-                node.extend(self.content(&[&RANGE, schema], Some(Kind::Number(bounds))));
-                node
-            }
+            Form::NumberOrTable(bounds, schema) => self.number_or_table(json!({}), bounds, &[&RANGE, schema]),
             Form::Value => self.amount(of, false),
             Form::Deviation => self.amount(of, true),
             Form::Values => match of {
@@ -301,8 +284,21 @@ impl Generator {
     }
 
     fn quantity_or_range(&mut self, dimension: Dimension, bounds: Bounds) -> Node {
+        self.quantity_or(&RANGE, dimension, bounds)
+    }
+
+    fn quantity_or(&mut self, range: &'static Schema, dimension: Dimension, bounds: Bounds) -> Node {
         let mut node = object(json!({ "type": ["string", "object"], "pattern": pattern(dimension, bounds) }));
-        node.extend(self.content(&[&RANGE], Some(Kind::Quantity(dimension, bounds))));
+        node.extend(self.content(&[range], Some(Kind::Quantity(dimension, bounds))));
+        node
+    }
+
+    /// A plain number or one of these tables, with other forms that `node` may have.
+    fn number_or_table(&mut self, node: Value, bounds: Bounds, tables: &[&'static Schema]) -> Node {
+        let mut node = object(node);
+        node.entry("type").or_insert_with(|| json!(["number", "object"]));
+        node.extend(limits(bounds));
+        node.extend(self.content(tables, Some(Kind::Number(bounds))));
         node
     }
 }

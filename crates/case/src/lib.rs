@@ -185,21 +185,4 @@ pub use units::read_unit;
 pub use value::{Value, ValueTable};
 
 // The contents of a case file are types of the crate `inputs`, re-exported here for those who read files.
-pub use inputs::{
-    After, Along, Amount, Avoid, AvoidBasis, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential,
-    BrakingForm, Case, Clear, ClearForm, ClearSpeedForm, CollisionData, ContactPoint, ContactSpread, Crush,
-    CrushEvidence, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, DemandForm, Departures, Dimension,
-    Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, EstimatedInput, FaceAxis, Fault, FaultKind, Faults,
-    Find, Fit, Geometry, GivenDemand, GivenEes, GivenImpact, GivenPhase, GivenPreCrash, GivenPulse,
-    GivenRest, GivenSeries, GivenSight, GivenSitePlan, GivenSteer, GivenTest, GivenValue, GivenVehicle,
-    GivenWayOut, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, KnownEnergy, LawName,
-    LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, OfTables, Origin, OtherApproach,
-    OtherForm, OtherImpact, OtherMotionForm, OtherParty, Outline, OutlinesForm, PathForm, PathPoint, Pdof,
-    PhaseForm, Place, PlaceForm, PointData, Purpose, Quantity, Range, Reconstruct, ReconstructionInput,
-    Recorder, RegionData, ReportHead, RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY,
-    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SeverityPrior,
-    SightForm, Skid, SkidBegin, Sourced, Spread, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource,
-    StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
-    UnitSystem, VehicleData, VehicleKind, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
-    YawInertia, YawSource, ZoneData, acts, list_of, shown, shown_lines, word,
-};
+pub use inputs::*;

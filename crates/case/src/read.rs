@@ -19,9 +19,7 @@ use crate::node::Entries;
 use crate::other_files;
 use crate::program::Program;
 use crate::quantity::shorten;
-use crate::schema::{
-    AVOID, ENERGY_BASIS, ESTIMATE, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
-};
+use crate::schema::{MOST_RANGES, TOP};
 use crate::source::{Source, Spans};
 use crate::value::ValueTable;
 use inputs::{
@@ -204,23 +202,23 @@ impl<'t> Reader<'t> {
         let top = self.document(document, &TOP);
         let title = self.text(&top, "title");
         let source = self.text(&top, "source");
-        let report = self.child(&top, "report", &REPORT);
+        let report = self.child(&top, "report");
         let report = report.map_or_else(ReportHead::default, |table| self.report_head(&table));
-        let scene = self.child(&top, "scene", &SCENE);
+        let scene = self.child(&top, "scene");
         let axes = scene.as_ref().and_then(|scene| self.axes(scene)).unwrap_or_default();
         let scene_contact = scene.as_ref().map_or(Some(None), |scene| self.scene_contact(scene));
         let locked_together = scene.as_ref().is_some_and(|scene| self.flag(scene, "locked_together"));
         let site_plan = scene.as_ref().map_or(Some(None), |scene| self.site_plan(scene));
-        let surface = self.child(&top, "surface", &SURFACE).map(|table| self.surface(&table));
+        let surface = self.child(&top, "surface").map(|table| self.surface(&table));
         // Its keys are looked up in the contents of all other tables.
-        let uncertainty = self.child(&top, "uncertainty", &UNCERTAINTY);
+        let uncertainty = self.child(&top, "uncertainty");
         let first = self.vehicle(&top, "vehicle1");
         let second = self.vehicle(&top, "vehicle2");
-        let impact = self.child(&top, "impact", &IMPACT).map(|table| self.impact(&table));
-        let reconstruct = self.child(&top, "reconstruct", &RECONSTRUCT).map(|table| self.reconstruct(&table));
+        let impact = self.child(&top, "impact").map(|table| self.impact(&table));
+        let reconstruct = self.child(&top, "reconstruct").map(|table| self.reconstruct(&table));
 
-        let estimate = self.child(&top, "estimate", &ESTIMATE).map(|table| self.estimate(&table));
-        let avoid = self.child(&top, "avoid", &AVOID).map(|table| self.avoid(&table));
+        let estimate = self.child(&top, "estimate").map(|table| self.estimate(&table));
+        let avoid = self.child(&top, "avoid").map(|table| self.avoid(&table));
 
         let vehicles = [first?, second?];
         let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
@@ -293,13 +291,11 @@ impl<'t> Reader<'t> {
             let value = table.get("energy_basis")?;
             if let Some(word) = value.get_ref().as_str().filter(|word| is_neades(word)) {
                 let path = table.path_of("energy_basis");
-                self.report(value.span(), CaseProblem::NeadesBasis { path, word: shorten(word) });
-                return None;
+                return self.unread(value, CaseProblem::NeadesBasis { path, word: shorten(word) });
             }
             return self.choice_among(table, "energy_basis", &ENERGY_BASES, FORMS);
         }
-        let share =
-            self.inline(table, "energy_basis", &ENERGY_BASIS, "a word or a table in braces", FORMS)?;
+        let share = self.inline_or(table, "energy_basis", "a word or a table in braces", FORMS)?;
         match share.given(&["tangential_share"])[..] {
             [_] => self.number(&share, "tangential_share").map(Basis::TangentialShare),
             _ => self.no_form(&share, FORMS),

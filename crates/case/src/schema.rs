@@ -35,13 +35,25 @@ pub struct KeyInfo {
     text: &'static str,
 }
 
-const fn key(name: &'static str, example: &'static str, form: Form, text: &'static str) -> KeyInfo {
-    KeyInfo { name, example, form, text }
+const fn key(example: &'static str, form: Form, text: &'static str) -> KeyInfo {
+    KeyInfo { name: name_in(example), example, form, text }
 }
 
 /// A key whose text is that of its table.
-const fn table(name: &'static str, example: &'static str, schema: &'static Schema) -> KeyInfo {
-    KeyInfo { name, example, form: Form::Table(schema), text: "" }
+const fn table(example: &'static str, schema: &'static Schema) -> KeyInfo {
+    key(example, Form::Table(schema), "")
+}
+
+/// The key that a line sets, or the last one in the header of a table.
+const fn name_in(example: &'static str) -> &'static str {
+    let (bytes, mut start, mut end) = (example.as_bytes(), 0, 0);
+    while !matches!(bytes[end], b' ' | b']') {
+        end += 1;
+        if matches!(bytes[end - 1], b'[' | b'.') {
+            start = end;
+        }
+    }
+    example.split_at(end).0.split_at(start).1
 }
 
 impl KeyInfo {
@@ -302,17 +314,16 @@ const fn point(place: &'static str, text: &'static str, keys: &'static [KeyInfo;
 /// The coordinates of a point in the scene.
 const fn in_scene(form: Form, x: &'static str, y: &'static str) -> [KeyInfo; 2] {
     [
-        key("x", x, form, "Coordinate along the x axis of the scene."),
-        key("y", y, form, "Coordinate along the y axis of the scene."),
+        key(x, form, "Coordinate along the x axis of the scene."),
+        key(y, form, "Coordinate along the y axis of the scene."),
     ]
 }
 
 /// The coordinates of a point of a vehicle.
 const fn from_cg(form: Form, x: &'static str, y: &'static str) -> [KeyInfo; 2] {
     [
-        key("x", x, form, "Distance forward of the CG. Negative behind it."),
+        key(x, form, "Distance forward of the CG. Negative behind it."),
         key(
-            "y",
             y,
             form,
             "Distance to the left of the CG, or to the right with `axes = \"z-down\"`. Negative on the other side.",
@@ -334,27 +345,25 @@ pub(crate) static TOP: Schema = Schema {
     text: "The case file. It describes a two-vehicle collision: the vehicles, their damage, the impact, and the speed to find. Every number with a dimension is a text with its unit.",
     keys: &[
         key(
-            "title",
             "title = \"Intersection collision\"",
             Form::Text,
             "Title of the case. Every report shows it at the top.",
         ),
         key(
-            "source",
             "source = \"police report\"",
             Form::Text,
             "Source of the data. For example a police report, a file number or a paper.",
         ),
-        table("report", "[report]", &REPORT),
-        table("scene", "[scene]", &SCENE),
-        table("surface", "[surface]", &SURFACE),
-        key("vehicle1", "[vehicle1]", Form::Vehicle, "First vehicle."),
-        key("vehicle2", "[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
-        table("impact", "[impact]", &IMPACT),
-        table("reconstruct", "[reconstruct]", &RECONSTRUCT),
-        table("estimate", "[estimate]", &ESTIMATE),
-        table("avoid", "[avoid]", &AVOID),
-        table("uncertainty", "[uncertainty]", &UNCERTAINTY),
+        table("[report]", &REPORT),
+        table("[scene]", &SCENE),
+        table("[surface]", &SURFACE),
+        key("[vehicle1]", Form::Vehicle, "First vehicle."),
+        key("[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
+        table("[impact]", &IMPACT),
+        table("[reconstruct]", &RECONSTRUCT),
+        table("[estimate]", &ESTIMATE),
+        table("[avoid]", &AVOID),
+        table("[uncertainty]", &UNCERTAINTY),
     ],
     rules: &[Rule::NeedsIf(&[Lacks("avoid")], &["vehicle1"])],
 };
@@ -363,15 +372,14 @@ pub(crate) static REPORT: Schema = Schema {
     place: "[report]",
     text: "The head of the report. Who made it, when, and for which file; no result depends on it.",
     keys: &[
-        key("analyst", "analyst = \"J. Doe, P.E.\"", Form::Text, "Analyst. Who made the reconstruction."),
-        key("date", "date = \"22 November 2026\"", Form::Text, "Date of the report."),
+        key("analyst = \"J. Doe, P.E.\"", Form::Text, "Analyst. Who made the reconstruction."),
+        key("date = \"22 November 2026\"", Form::Text, "Date of the report."),
         key(
-            "file_number",
             "file_number = \"2026-0417\"",
             Form::Text,
             "File number. The number under which you keep the matter.",
         ),
-        key("exhibit", "exhibit = \"B-3\"", Form::Text, "Exhibit. The number of the report as an exhibit."),
+        key("exhibit = \"B-3\"", Form::Text, "Exhibit. The number of the report as an exhibit."),
     ],
     rules: &[],
 };
@@ -381,19 +389,16 @@ pub(crate) static SCENE: Schema = Schema {
     text: "The scene. It says in which axes the file gives angles, lateral coordinates and yaw rates, and where the impact happened.",
     keys: &[
         key(
-            "axes",
             "axes = \"z-down\"",
             Form::Words(&words_of(&Axes::WORDS)),
             "Axes of the file. `\"z-up\"` (the default): y points to the left of x; angles and yaw rates are positive counter-clockwise, seen from above. `\"z-down\"`, as in SAE J670: y points to the right; clockwise is positive.",
         ),
-        table("contact", "contact = { x = \"12.4 m\", y = \"3.1 m\" }", &SCENE_CONTACT),
+        table("contact = { x = \"12.4 m\", y = \"3.1 m\" }", &SCENE_CONTACT),
         table(
-            "site_plan",
             "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }",
             &SITE_PLAN,
         ),
         key(
-            "locked_together",
             "locked_together = true",
             Form::Flag,
             "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction` in the table `after` of one of them: the other moved with it. With a `rest`, the program follows that vehicle as if nothing were attached to it, and `deltav estimate` does not use it. Without a yaw rate, the velocity is taken as that of their common CG, and momentum gives their yaw rate.",
@@ -407,20 +412,17 @@ pub(crate) static SITE_PLAN: Schema = Schema {
     text: "A picture of the scene from above. `deltav draw --what motion` and the report as HTML draw the motion on it. No result depends on it.",
     keys: &[
         key(
-            "file",
             "file = \"aerial.jpg\"",
             Form::Text,
             "Name of the picture, a PNG or a JPEG. It must be in the folder of the case file, or in a folder within that: `\"pictures/aerial.jpg\"`.",
         ),
-        table("corner", "corner = { x = \"-20 m\", y = \"-15 m\" }", &PLAN_CORNER),
+        table("corner = { x = \"-20 m\", y = \"-15 m\" }", &PLAN_CORNER),
         key(
-            "width",
             "width = \"60 m\"",
             Form::Exact(Dimension::Length, POSITIVE),
             "How long the lower edge of the picture is in the scene. Its pixels are square, so this is its scale.",
         ),
         key(
-            "angle",
             "angle = \"15 deg\"",
             Form::Exact(Dimension::Angle, ANY),
             "Angle from the x axis of the scene to the lower edge of the picture, 0 if left out. Seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
@@ -446,14 +448,12 @@ pub(crate) static SURFACE: Schema = Schema {
     text: "The ground between impact and rest. Its friction, its slope, and the parts with a different friction.",
     keys: &[
         key(
-            "friction",
             "friction = 0.7",
             Form::Number(FRICTION),
             "Coefficient of friction between tyre and ground. The force that slows a locked wheel, as a share of its load.",
         ),
-        table("grade", "grade = { slope = 0.03, uphill = \"90 deg\" }", &GRADE),
+        table("grade = { slope = 0.03, uphill = \"90 deg\" }", &GRADE),
         key(
-            "zone",
             "zone = [{ name = \"grass\", friction = 0.4, edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }], side = \"left\" }]",
             Form::Tables(&SURFACE_ZONE, 0),
             "Parts of the ground with a friction of their own. Where two overlap, the later one counts.",
@@ -467,13 +467,11 @@ pub(crate) static GRADE: Schema = Schema {
     text: "Slope of the ground. Without it, the ground is level.",
     keys: &[
         key(
-            "slope",
             "slope = 0.03",
             Form::Number(Bounds::Share),
             "Rise per horizontal distance, 0 to 1. A grade of 3 % is 0.03.",
         ),
         key(
-            "uphill",
             "uphill = \"90 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Direction in which the ground rises. The angle from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
@@ -486,22 +484,19 @@ pub(crate) static SURFACE_ZONE: Schema = Schema {
     place: "[[surface.zone]]",
     text: "A part of the ground, such as a shoulder, a strip of grass or an ice patch. Give the corners of a `polygon`, or an `edge` and the `side` of it on which the zone lies.",
     keys: &[
-        key("name", "name = \"grass\"", Form::Text, "Name of the zone. Reports and drawings use it."),
-        key("friction", "friction = 0.4", Form::Number(FRICTION), "Coefficient of friction in the zone."),
+        key("name = \"grass\"", Form::Text, "Name of the zone. Reports and drawings use it."),
+        key("friction = 0.4", Form::Number(FRICTION), "Coefficient of friction in the zone."),
         key(
-            "polygon",
             "polygon = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]",
             Form::Tables(&CORNER, 3),
             "Corners of the zone, three or more, in their order along its outline. The outline must not cross itself.",
         ),
         key(
-            "edge",
             "edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }]",
             Form::Tables(&CORNER, 2),
             "Two places on a straight edge. The zone is everything on one `side` of it.",
         ),
         key(
-            "side",
             "side = \"left\"",
             Form::Words(&words_of(&EdgeSide::WORDS)),
             "Side of the `edge` on which the zone lies. Left or right, seen from above, for someone who walks from the first place to the second.",
@@ -523,138 +518,114 @@ pub(crate) static VEHICLE: Schema = Schema {
     place: "[vehicle1] or [vehicle2]",
     text: "A vehicle, or a fixed object with `fixed = true`. Which keys it needs depends on the analysis.",
     keys: &[
-        key("name", "name = \"1994 GMC Jimmy\"", Form::Text, "Name of the vehicle. Reports use it."),
+        key("name = \"1994 GMC Jimmy\"", Form::Text, "Name of the vehicle. Reports use it."),
         key(
-            "fixed",
             "fixed = true",
             Form::Flag,
             "Fixed object. Set it to true for a barrier, a wall or a pole, which does not move and has no mass, inertia, speed or crush.",
         ),
         key(
-            "kind",
             "kind = \"heavy-truck\"",
             Form::Words(&words_of(&VehicleKind::WORDS)),
             "Kind of vehicle. `\"car\"` (the default): a car, a van or a pickup; `\"heavy-truck\"`: a lorry, a bus or a tractor with its semitrailer, as one rigid body; `\"trailer\"`; `\"motorcycle\"`. It sets which sizes are plausible and how the vehicle is drawn; CRASH3's classes and categories and Burg's formula are for cars only.",
         ),
         key(
-            "mass",
             "mass = \"1676 kg\"",
             Form::Quantity(Dimension::Mass, POSITIVE),
             "Mass at the collision, with load and occupants. Alternatively, give `weight`. Here lb is the pound of mass.",
         ),
         key(
-            "weight",
             "weight = \"3696 lb\"",
             Form::Quantity(Dimension::Weight, POSITIVE),
             "Weight at the collision, with load and occupants. Alternatively, give `mass`. Here lb is the pound-force.",
         ),
         key(
-            "yaw_inertia",
             "yaw_inertia = \"2437 lb ft s^2\"",
             Form::Quantity(Dimension::Inertia, POSITIVE),
             "Yaw moment of inertia about the CG. Alternatively, give `yaw_radius`; without either, it is estimated from `class`, or from `wheelbase` and `length`.",
         ),
         key(
-            "yaw_radius",
             "yaw_radius = \"1.40 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Radius of gyration in yaw, k. The inertia is m k².",
         ),
         key(
-            "class",
             "class = 3",
             Form::Count(6),
             "CRASH3 size class, 1 to 6. The one with the nearest wheelbase: 1 is 93 in (2.37 m), 2 is 96 in (2.45 m), 3 is 105 in (2.66 m), 4 is 114 in (2.89 m), 5 is 121 in (3.08 m), 6 is 125 in (3.18 m). Its typical values are used for a yaw inertia or an outline that is not given.",
         ),
         key(
-            "wheelbase",
             "wheelbase = \"2.62 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Wheelbase. If no yaw inertia is given, Burg's formula estimates it from the wheelbase and `length`. The motion after the impact needs it, or `class`.",
         ),
         key(
-            "track",
             "track = \"1.50 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance between the wheels of an axle, for the motion after the impact. Without it, that of `class` is used.",
         ),
         key(
-            "cg_to_front_axle",
             "cg_to_front_axle = \"1.10 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance from the CG to the front axle, for the motion after the impact. Without it, the CG lies at the same share of the wheelbase as in the `class`.",
         ),
         key(
-            "heading",
             "heading = \"180 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Heading at impact. The angle of the vehicle's forward axis from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
         ),
         key(
-            "sideslip",
             "sideslip = \"-4.35 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Angle from the heading to the direction in which the CG travels just before impact. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`; 0 (the default) is straight ahead. The speed, given or sought, is then along that direction.",
         ),
-        table("position", "position = { x = \"10.8 m\", y = \"3.9 m\" }", &POSITION),
+        table("position = { x = \"10.8 m\", y = \"3.9 m\" }", &POSITION),
         key(
-            "speed",
             "speed = \"10 mph\"",
             Form::Quantity(Dimension::Speed, ANY),
             "Speed just before impact. It is along the heading or, with `sideslip`, along the direction of travel; negative in reverse. Leave it out for the vehicle whose speed is to be found.",
         ),
-        table("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }", &VELOCITY),
+        table("velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }", &VELOCITY),
         key(
-            "yaw_rate",
             "yaw_rate = \"0 deg/s\"",
             Form::Quantity(Dimension::YawRate, ANY),
             "Yaw rate just before impact. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`; 0 (the default) is no rotation.",
         ),
-        table("contact", "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }", &CONTACT),
+        table("contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }", &CONTACT),
         key(
-            "length",
             "length = \"4.32 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Overall length of the body. With `width` and `cg_to_front` it makes up the outline for drawings and checks.",
         ),
         key(
-            "width",
             "width = \"1.74 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Overall width of the body. Give it with `length` and `cg_to_front`.",
         ),
         key(
-            "cg_to_front",
             "cg_to_front = \"2.02 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance from the CG to the front bumper. Give it with `length` and `width`.",
         ),
         key(
-            "diameter",
             "diameter = \"30 cm\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Diameter of a pole or tree, for drawings. Only for a fixed object, in place of `length`, `width` and `cg_to_front`.",
         ),
         key(
-            "deformation_energy",
             "deformation_energy = { value = \"15 kJ\", sd = \"5 kJ\" }",
             Form::Quantity(Dimension::Energy, NOT_NEGATIVE),
             "Energy that deformed the object. Give it if the object bent, cracked or leaned, for example from a test with such an object; it adds to the crush energy of the vehicle. Only for a fixed object at which the vehicle stopped or from which it rebounded. An estimate gives it an error of 20 % and, without a range, another 30 %.",
         ),
         key(
-            "crush",
             "[vehicle1.crush]",
             Form::WordsOrTable(&[UNDAMAGED], &CRUSH),
             "Damage of the vehicle. A table; or `crush = \"none\"` for a vehicle whose damage took negligible energy, such as a lorry that a car ran into.",
         ),
-        table("before", "[vehicle1.before]", &BEFORE),
-        table("after", "[vehicle1.after]", &AFTER),
-        table("recorder", "[vehicle1.recorder]", &RECORDER),
-        table(
-            "certain_speed",
-            "certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }",
-            &CERTAIN_SPEED,
-        ),
+        table("[vehicle1.before]", &BEFORE),
+        table("[vehicle1.after]", &AFTER),
+        table("[vehicle1.recorder]", &RECORDER),
+        table("certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }", &CERTAIN_SPEED),
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
@@ -702,57 +673,48 @@ pub(crate) static POSITION: Schema = point(
 /// The keys of a record.
 const STORED: [KeyInfo; 11] = [
     key(
-        "delta_v_longitudinal",
         "delta_v_longitudinal = \"-24 km/h\"",
         Form::Exact(Dimension::Speed, ANY),
         "Largest ΔV along the vehicle. Negative where the vehicle was slowed down.",
     ),
     key(
-        "delta_v_lateral",
         "delta_v_lateral = \"7 km/h\"",
         Form::Exact(Dimension::Speed, ANY),
         "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. Together with the part along the vehicle it shows where the force came from.",
     ),
     key(
-        "delta_v_error",
         "delta_v_error = \"8 %\"",
         Form::Percent(POSITIVE),
         "Error of the recorded ΔV in per cent. 6 of 10 errors are smaller, and large ones are more frequent than in a normal distribution: it is the scale of Student's t with 3 degrees of freedom. 8 % if left out.",
     ),
     key(
-        "direction_error",
         "direction_error = \"6 deg\"",
         Form::Exact(Dimension::Angle, POSITIVE),
         "Error of the direction of the recorded ΔV, which needs both parts. 6 of 10 errors are smaller: it is the scale of Student's t with 2 degrees of freedom. 5.3° if left out, 8.0° where a side was hit.",
     ),
     key(
-        "speed",
         "speed = \"55 km/h\"",
         Form::Exact(Dimension::Speed, POSITIVE),
         "Speed just before the impact. For a stationary vehicle, leave it out and write `speed = \"0 km/h\"` in the table of the vehicle.",
     ),
     key(
-        "speed_error",
         "speed_error = \"4 %\"",
         Form::Percent(POSITIVE),
         "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; locked or spinning wheels make it larger.",
     ),
     key(
-        "yaw_rate",
         "yaw_rate = \"90 deg/s\"",
         Form::Exact(Dimension::YawRate, ANY),
         "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
     ),
     key(
-        "yaw_rate_error",
         "yaw_rate_error = \"15 deg/s\"",
         Form::Exact(Dimension::YawRate, POSITIVE),
         "Error of the recorded yaw rate, as a standard deviation. 20 % of it if left out, and at least 10 °/s.",
     ),
-    table("pre_crash", "pre_crash = { file = \"edr.csv\" }", &PRE_CRASH),
-    table("pulse", "pulse = { file = \"pulse.csv\" }", &PULSE),
+    table("pre_crash = { file = \"edr.csv\" }", &PRE_CRASH),
+    table("pulse = { file = \"pulse.csv\" }", &PULSE),
     key(
-        "incomplete",
         "incomplete = true",
         Form::Flag,
         "A record that the recorder did not finish. The recorder's report says so; the ΔV is a lower bound, and an estimate treats it as one. A pulse that ends before the impact does is recognised without this key.",
@@ -766,19 +728,17 @@ pub(crate) static RECORDER: Schema = Schema {
         &STORED,
         &[
             key(
-                "records",
                 "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
                 Form::Tables(&RECORD, 1),
                 "Several records. In the order of time, in place of the keys of a single one: `deltav recorder` says which belongs to the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
             ),
             key(
-                "other_impacts",
                 "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
                 Form::Tables(&OTHER_IMPACT, 0),
                 "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says for each record which impact it may belong to.",
             ),
-            table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
-            table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
+            table("at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
+            table("errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
         ],
     ),
     rules: &[
@@ -799,19 +759,16 @@ pub(crate) static OTHER_IMPACT: Schema = Schema {
     text: "Another impact of the vehicle in the same crash, to which a record may belong.",
     keys: &[
         key(
-            "when",
             "when = \"after\"",
             Form::Words(&words_of(&OtherImpact::WHEN)),
             "Whether it was before or after the impact of this case.",
         ),
         key(
-            "pdof",
             "pdof = \"90 deg\"",
             Form::Exact(Dimension::Angle, ANY),
             "Principal direction of force. The direction from which the force came, clockwise from the heading in any axes.",
         ),
         key(
-            "delta_v",
             "delta_v = \"12 km/h\"",
             Form::Exact(Dimension::Speed, POSITIVE),
             "ΔV of the vehicle. As its damage or the object that it struck shows.",
@@ -825,7 +782,6 @@ pub(crate) static RECORD: Schema = Schema {
     text: "One of several records of a recorder. It has the keys of a single record; `at` and `errors` are those of the recorder.",
     keys: &joined::<12>(
         &[key(
-            "since_previous",
             "since_previous = \"0.8 s\"",
             Form::Exact(Dimension::Time, NOT_NEGATIVE),
             "Time since the previous record. As the recorder stored it, from one trigger to the next.",
@@ -844,13 +800,11 @@ pub(crate) static RECORD: Schema = Schema {
 
 /// The keys that a table of a recorder has before the impact and during it.
 const RECORDER_FILE: KeyInfo = key(
-    "file",
     "file = \"edr.csv\"",
     Form::Text,
     "Name of a file with the table. A CSV or another text; it must be in the folder of the case file, or in a folder within that.",
 );
 const RECORDER_ROWS: KeyInfo = key(
-    "rows",
     "rows = \"CASEID 30123, VEHNO 1, EDREVENTNO 2\"",
     Form::Text,
     "Rows of one record. For a long table of NHTSA (EDRPRECRASH, EDRPOSTCRASH), which has a row for each value and may hold several records: columns, each with the value that selects the rows.",
@@ -863,45 +817,35 @@ pub(crate) static PRE_CRASH: Schema = Schema {
     place: "pre_crash = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
     text: "Samples before the impact. Speeds over time and, where the recorder has them, brake, ABS and others. The speed at impact and its error follow from the last of them, in place of `speed`.",
     keys: &[
-        key("text", "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
+        key("text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
         RECORDER_FILE,
         RECORDER_ROWS,
-        key("time", "time = \"-1 -0.5 0 s\"", Form::Text, RECORDER_TIMES),
+        key("time = \"-1 -0.5 0 s\"", Form::Text, RECORDER_TIMES),
         key(
-            "speed",
             "speed = \"60 58 47 km/h\"",
             Form::Text,
             "Stored speeds. In one text with their unit after them; write `-` for a missing value.",
         ),
-        key("brake", "brake = \"off on on\"", Form::Text, "Service brake. `on` or `off` for each time."),
+        key("brake = \"off on on\"", Form::Text, "Service brake. `on` or `off` for each time."),
         key(
-            "abs",
             "abs = \"off off on\"",
             Form::Text,
             "Antilock brakes. `on` where they were active, for each time.",
         ),
         key(
-            "stability",
             "stability = \"on on on\"",
             Form::Text,
             "Stability control. `on` where it was active, for each time.",
         ),
-        key("accelerator", "accelerator = \"12 0 0 %\"", Form::Text, "Accelerator pedal. For each time."),
-        key("throttle", "throttle = \"12 0 0 %\"", Form::Text, "Engine throttle. For each time."),
+        key("accelerator = \"12 0 0 %\"", Form::Text, "Accelerator pedal. For each time."),
+        key("throttle = \"12 0 0 %\"", Form::Text, "Engine throttle. For each time."),
+        key("engine_speed = \"1900 1700 1500 rpm\"", Form::Text, "Engine speed. For each time."),
         key(
-            "engine_speed",
-            "engine_speed = \"1900 1700 1500 rpm\"",
-            Form::Text,
-            "Engine speed. For each time.",
-        ),
-        key(
-            "steering",
             "steering = \"0 -5 -12.5 deg\"",
             Form::Text,
             "Angle of the steering wheel. For each time, with the sign that the report has.",
         ),
         key(
-            "yaw_rate",
             "yaw_rate = \"0 -2 -8 deg/s\"",
             Form::Text,
             "Yaw rate before the impact. For each time, with the sign that the report has.",
@@ -921,23 +865,16 @@ pub(crate) static PULSE: Schema = Schema {
     place: "pulse = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
     text: "ΔV over time. As the recorder stored it. It gives ΔV, and shows whether the record ends before the impact does, in place of `delta_v_longitudinal` and `delta_v_lateral`.",
     keys: &[
-        key(
-            "text",
-            "text = \"Time (ms) 0 10 20\\nLongitudinal delta-V (km/h) 0 -4 -9\"",
-            Form::Text,
-            RECORDER_TEXT,
-        ),
+        key("text = \"Time (ms) 0 10 20\\nLongitudinal delta-V (km/h) 0 -4 -9\"", Form::Text, RECORDER_TEXT),
         RECORDER_FILE,
         RECORDER_ROWS,
-        key("time", "time = \"0 10 20 ms\"", Form::Text, RECORDER_TIMES),
+        key("time = \"0 10 20 ms\"", Form::Text, RECORDER_TIMES),
         key(
-            "delta_v_longitudinal",
             "delta_v_longitudinal = \"0 -4 -9 km/h\"",
             Form::Text,
             "ΔV along the vehicle. Until each time, in one text with the unit after the values; negative where the vehicle was slowed down.",
         ),
         key(
-            "delta_v_lateral",
             "delta_v_lateral = \"0 1 2 km/h\"",
             Form::Text,
             "ΔV across the vehicle. Until each time; positive to the right, as recorders store it, whatever the axes.",
@@ -962,67 +899,56 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
     text: "Errors of the speed at impact. They say how far a stored speed may be from the speed at impact; each has a default, which `deltav recorder` shows with its source.",
     keys: &[
         key(
-            "step",
             "step = \"1 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
             "Step in which speeds are stored. If left out, one unit of a column of whole numbers (1 mph), 1 mph where speeds in km/h are such numbers converted (35.4, 33.8), otherwise 1 km/h, as in 49 CFR 563 and UN R160.",
         ),
         key(
-            "steady_low",
             "steady_low = \"1.4 %\"",
             Form::Percent(NOT_NEGATIVE),
             "By how much a stored speed is too low in steady driving. A share of it, 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.",
         ),
         key(
-            "steady_sd",
             "steady_sd = \"0.43 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Standard deviation of `steady_low`. 0.43 % if left out, from the same runs.",
         ),
         key(
-            "tyre_sd",
             "tyre_sd = \"0.7 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Standard deviation due to the tyres. Worn or other tyres change a stored speed by a share of it: 0.7 % if left out.",
         ),
         key(
-            "slip_low",
             "slip_low = \"3 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
             "By how much a stored speed is too low in hard braking. The wheels slip: 3 km/h if left out, the mean of the same 18 runs with ABS.",
         ),
         key(
-            "slip_sd",
             "slip_sd = \"2.1 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
             "Standard deviation of `slip_low`. 2.1 km/h if left out, so that the worst of 18 runs is 6.8 km/h.",
         ),
         key(
-            "friction",
             "friction = \"75 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Drag factor of hard braking. Between the last sample and the impact; that of [surface] if left out, or 75 %.",
         ),
         key(
-            "coasting",
             "coasting = \"10 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Greatest acceleration with the brake off. Either way, in per cent of g: 1 m/s² if left out.",
         ),
         key(
-            "brake_comes_on",
             "brake_comes_on = \"25 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Probability that the brake came on in the gap. If it is off in the last sample, for each half second after that: 25 % if left out.",
         ),
         key(
-            "latency",
             "latency = \"0.1 s\"",
             Form::Exact(Dimension::Time, NOT_NEGATIVE),
             "Greatest age of a stored speed. At the time that the report gives for it: 0.1 s if left out.",
         ),
         key(
-            "last_is_of_impact",
             "last_is_of_impact = \"50 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Probability that a steep last drop in speed is due to the impact. If the last speed fell by more than g allows, the cause is the impact or slip, and the sample before it counts: 50 % if left out.",
@@ -1035,18 +961,8 @@ pub(crate) static CERTAIN_SPEED: Schema = Schema {
     place: "certain_speed = { … } of a vehicle",
     text: "Certain limits of the speed before the impact. `deltav estimate` excludes every other speed.",
     keys: &[
-        key(
-            "at_least",
-            "at_least = \"0 km/h\"",
-            Form::Exact(Dimension::Speed, ANY),
-            "The vehicle was not slower.",
-        ),
-        key(
-            "at_most",
-            "at_most = \"60 km/h\"",
-            Form::Exact(Dimension::Speed, ANY),
-            "The vehicle was not faster.",
-        ),
+        key("at_least = \"0 km/h\"", Form::Exact(Dimension::Speed, ANY), "The vehicle was not slower."),
+        key("at_most = \"60 km/h\"", Form::Exact(Dimension::Speed, ANY), "The vehicle was not faster."),
     ],
     rules: &[Rule::OneOf(&[form(&["at_least"], &["at_most"]), form(&["at_most"], &[])])],
 };
@@ -1056,49 +972,41 @@ pub(crate) static ESTIMATE: Schema = Schema {
     text: "What `deltav estimate` assumes before it looks at the evidence. Every key has a default that was fitted to real crashes.",
     keys: &[
         key(
-            "prior",
             "prior = \"field\"",
             Form::Words(&words_of(&SeverityPrior::WORDS)),
             "How severe the collision may have been. `\"field\"` (the default): as severe as collisions after which a vehicle was towed; `\"serious-injury\"`: as those of them in which somebody in either vehicle was seriously hurt (MAIS 3 or more); `\"flat\"`: every speed is as likely as any other.",
         ),
         key(
-            "delta_v_median",
             "delta_v_median = \"26 km/h\"",
             Form::Exact(Dimension::Speed, POSITIVE),
             "Median ΔV before the evidence. Half of such collisions are less severe. It is the median of the geometric mean of both ΔV.",
         ),
         key(
-            "crush_error",
             "crush_error = \"40 %\"",
             Form::Percent(POSITIVE),
             "Error of crush energies. How far that of both vehicles may be from the energy that the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a class or category, A and B, a barrier test of the car, an EES.",
         ),
         key(
-            "crush_bias",
             "crush_bias = \"59 %\"",
             Form::Percent(POSITIVE),
             "Average share of the impact's energy that crush shows. `\"100 %\"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted to real crashes, and 100 % for everything else.",
         ),
         key(
-            "rest_error",
             "rest_error = \"10 %\"",
             Form::Percent(POSITIVE),
             "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.",
         ),
         key(
-            "rest_least_error",
             "rest_least_error = \"0.5 m\"",
             Form::Exact(Dimension::Length, POSITIVE),
             "Error of a computed rest or point that does not grow with the path. 0.5 m if left out.",
         ),
         key(
-            "rest_heading_error",
             "rest_heading_error = \"15 deg\"",
             Form::Exact(Dimension::Angle, POSITIVE),
             "Error of a computed heading at rest, as a standard deviation. A quarter of the turn, but 5° to 15°, if left out.",
         ),
         key(
-            "stood",
             "stood = \"20 %\"",
             Form::Percent(NOT_NEGATIVE),
             "Probability, before the evidence, that a vehicle of unknown speed was standing. 20 % if left out; from 0 % to less than 50 %. For a vehicle that certainly moved, give `certain_speed` with `at_least` above 0.",
@@ -1112,64 +1020,54 @@ pub(crate) static AVOID: Schema = Schema {
     text: "Whether the collision was avoidable. `deltav avoid` asks what the driver of one vehicle could have done; no other command uses it. Each number may have a range and a source, which the report shows.",
     keys: &[
         key(
-            "vehicle",
             "vehicle = \"vehicle1\"",
             Form::Words(&words_of(&SUBJECTS)),
             "Vehicle whose driver is considered. Vehicle 1 if left out.",
         ),
         key(
-            "speed",
             "speed = { value = \"62 km/h\", source = \"recorder\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
             "Speed of that vehicle at the reaction demand. Without it, the speed at the impact counts, from the table of the vehicle or from the rest of the case; with skid marks before the impact, the speed before them follows.",
         ),
         key(
-            "limit",
             "limit = { value = \"50 km/h\", source = \"built-up area\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
             "Speed for which avoidability is examined. The speed limit, or another speed that is of interest.",
         ),
         key(
-            "reaction_time",
             "reaction_time = { value = \"1.0 s\", sd = \"0.2 s\", source = \"Dettinger 2008\" }",
             Form::Sourced(Dimension::Time, NOT_NEGATIVE),
             "Time from the reaction demand to the first effect of the brakes. None is assumed: `deltav new --template avoid` lists choices with their sources.",
         ),
         key(
-            "swell",
             "swell = \"0.2 s\"",
             Form::Sourced(Dimension::Time, NOT_NEGATIVE),
             "Build-up time of the brakes, from their first effect to the full deceleration. 0 if left out, which the report says.",
         ),
         key(
-            "swell_form",
             "swell_form = \"linear\"",
             Form::Words(&words_of(&SWELLS)),
             "How the deceleration grows in the swell. `\"linear\"` (the default); `\"half\"`: half the full deceleration throughout; `\"full speed\"`: none, as if the swell were part of the reaction. Conventions differ, and the answer depends on them.",
         ),
         key(
-            "deceleration",
             "deceleration = { value = \"7.5 m/s^2\", source = \"brake test on site\" }",
             Form::Sourced(Dimension::Acceleration, POSITIVE),
             "Full deceleration that the driver could have reached. None is assumed.",
         ),
-        table("demand", "demand = { distance = \"30 m\" }", &AVOID_DEMAND),
-        table("clear", "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }", &AVOID_CLEAR),
+        table("demand = { distance = \"30 m\" }", &AVOID_DEMAND),
+        table("clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }", &AVOID_CLEAR),
         key(
-            "other_party",
             "other_party = \"pedestrian\"",
             Form::Words(&words_of(&OtherParty::WORDS)),
             "What the other party is. The report and the diagram name it.",
         ),
         key(
-            "unbraked",
             "unbraked = true",
             Form::Flag,
             "Known not to have braked before the impact. Otherwise a vehicle whose `speed` is given here is assumed to have reacted and braked as the other keys say, provided that it then still reaches the place of the impact.",
         ),
-        table("sight", "[avoid.sight]", &AVOID_SIGHT),
+        table("[avoid.sight]", &AVOID_SIGHT),
         key(
-            "obstacle",
             "obstacle = [{ name = \"parked van\", source = \"survey\", polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }, { x = \"-8 m\", y = \"-3.8 m\" }] }]",
             Form::Tables(&OBSTACLE, 0),
             "What hides the other party, such as a parked van, a house or a hedge. The report then says from when on the view was free.",
@@ -1182,34 +1080,29 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
     place: "[avoid.sight]",
     text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. Without an `obstacle`, only the plan view uses it.",
     keys: &[
-        table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
+        table("eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
         key(
-            "heading",
             "heading = \"0 deg\"",
             Form::Sourced(Dimension::Angle, ANY),
             "Direction in which the vehicle drives. The angle from the x axis of the scene; the `heading` of the vehicle if left out.",
         ),
-        table("point", "point = { x = \"0 m\", y = \"0 m\" }", &SIGHT_PLACE),
+        table("point = { x = \"0 m\", y = \"0 m\" }", &SIGHT_PLACE),
         key(
-            "other_heading",
             "other_heading = \"90 deg\"",
             Form::Sourced(Dimension::Angle, ANY),
             "Direction in which the other party moves. The `heading` of the other vehicle if left out.",
         ),
         key(
-            "path",
             "path = [{ x = \"-30 m\", y = \"-12 m\" }, { x = \"-12 m\", y = \"0 m\" }]",
             Form::Tables(&CORNER, 0),
             "Points of the path of the driver's eye to the impact, in their order. It is straight between them and to `eye`, and goes on straight before the first. It takes the place of `heading`.",
         ),
         key(
-            "other_path",
             "other_path = [{ x = \"6 m\", y = \"-8 m\" }, { x = \"0 m\", y = \"-4 m\" }]",
             Form::Tables(&CORNER, 0),
             "The same for the other party, up to `point`. It takes the place of `other_heading`.",
         ),
         key(
-            "other_speed",
             "other_speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
             Form::Sourced(Dimension::Speed, NOT_NEGATIVE),
             "How fast the other party moves, at constant speed. That of `other` in `demand`, of `clear` or of the other vehicle if left out; that vehicle then moves as its phases, skid or recorder tell.",
@@ -1228,15 +1121,9 @@ pub(crate) static OBSTACLE: Schema = Schema {
     place: "[[avoid.obstacle]]",
     text: "Something that blocks the view. It does not move.",
     keys: &[
+        key("name = \"parked van\"", Form::Text, "Name of the obstacle. Reports and drawings use it."),
+        key("source = \"survey\"", Form::Text, "Where its corners come from."),
         key(
-            "name",
-            "name = \"parked van\"",
-            Form::Text,
-            "Name of the obstacle. Reports and drawings use it.",
-        ),
-        key("source", "source = \"survey\"", Form::Text, "Where its corners come from."),
-        key(
-            "polygon",
             "polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]",
             Form::Tables(&CORNER, 3),
             "Corners of the obstacle, three or more, in their order along its outline. The outline must not cross itself.",
@@ -1250,20 +1137,17 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
     text: "Reaction demand: where or when the danger could first be recognized. Give `distance`, `time`, `other` or `sight`, and say why in `reason`.",
     keys: &[
         key(
-            "distance",
             "distance = \"30 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
             "Distance of the vehicle to the place of the impact. Along its path.",
         ),
-        key("time", "time = \"2.1 s\"", Form::Sourced(Dimension::Time, POSITIVE), "Time before the impact."),
+        key("time = \"2.1 s\"", Form::Sourced(Dimension::Time, POSITIVE), "Time before the impact."),
         table(
-            "other",
             "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }",
             &AVOID_OTHER,
         ),
-        key("sight", "sight = true", Form::Flag, "As soon as no `obstacle` hides the other party any more."),
+        key("sight = true", Form::Flag, "As soon as no `obstacle` hides the other party any more."),
         key(
-            "reason",
             "reason = \"the pedestrian steps from behind the parked van\"",
             Form::Text,
             "Why the danger could be recognized then, and not before.",
@@ -1285,19 +1169,16 @@ pub(crate) static AVOID_OTHER: Schema = Schema {
     text: "Path of the other party from the reaction demand to the impact. With `speed` alone, its time is the distance divided by the speed; with `acceleration`, it starts from a stop.",
     keys: &[
         key(
-            "distance",
             "distance = \"4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
             "Distance that the other party covered. From where it was recognizable to the place of the impact.",
         ),
         key(
-            "speed",
             "speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
             "How fast it went there. With `acceleration`, the speed that it kept once it had reached it.",
         ),
         key(
-            "acceleration",
             "acceleration = { low = \"1.5 m/s^2\", high = \"2.0 m/s^2\" }",
             Form::Sourced(Dimension::Acceleration, POSITIVE),
             "How hard it accelerated from a stop.",
@@ -1314,19 +1195,16 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
     text: "Path of the other party out of the danger zone. Give it only if it is certain that the other party moved and would not have stopped: only then does the program examine whether the vehicle would have arrived late enough.",
     keys: &[
         key(
-            "distance",
             "distance = \"2.4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
             "Distance that it still had to go at the impact. Until it has left the zone, its own length or body included.",
         ),
         key(
-            "outlines",
             "outlines = true",
             Form::Flag,
             "That distance, by the outlines of both vehicles. Until its outline has left the strip that the other one sweeps, each straight along its heading. It takes the place of `distance`, and needs `length`, `width` and `cg_to_front` or `class` of both, their headings, and their contact points or positions.",
         ),
         key(
-            "speed",
             "speed = \"1.4 m/s\"",
             Form::Sourced(Dimension::Speed, POSITIVE),
             "Speed at which it would have gone on. If left out, it goes on as in `other` of `demand`, or else at the speed of its vehicle: that of its table or, where the speed of the vehicle considered is to be found, that by the evidence. A party that stops never clears the zone: leave `clear` out then.",
@@ -1342,15 +1220,13 @@ pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
     text: "The vehicle before the impact. Its skid marks give the speed at which the driver began to brake; phases say how it moved where there are no marks.",
     keys: &[
-        table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
+        table("skid = { length = \"18 m\", friction = 0.7 }", &SKID),
         key(
-            "phase",
             "phase = [{ distance = \"12 m\", acceleration = \"-4 m/s^2\" }]",
             Form::Tables(&PHASE, 0),
             "How the vehicle moved before the impact, in the order of time. `deltav avoid` follows the phases; the last ends at the impact.",
         ),
         key(
-            "speed",
             "speed = \"62 km/h\"",
             Form::Quantity(Dimension::Speed, POSITIVE),
             "Speed where the skid begins, as a recorder, a tachograph or a camera gives it. `deltav estimate` compares it with the impact. Its range is its error, 4 % without one; no other command uses it.",
@@ -1368,25 +1244,22 @@ pub(crate) static PHASE: Schema = Schema {
     text: "A stretch of constant acceleration before the impact. Give two of its numbers; the others follow from the speed at its end. If nothing else gives the speed at the impact, the first phase may have `speed` and two of the others.",
     keys: &[
         key(
-            "distance",
             "distance = \"12 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance along the path of the vehicle.",
         ),
-        key("time", "time = \"1.2 s\"", Form::Quantity(Dimension::Time, POSITIVE), "How long it lasts."),
+        key("time = \"1.2 s\"", Form::Quantity(Dimension::Time, POSITIVE), "How long it lasts."),
         key(
-            "speed",
             "speed = \"0 km/h\"",
             Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
             "Speed where the phase begins; 0 is a stop.",
         ),
         key(
-            "acceleration",
             "acceleration = { low = \"1.5 m/s^2\", high = \"2.0 m/s^2\" }",
             Form::Quantity(Dimension::Acceleration, ANY),
             "Acceleration along the path. It is negative where the vehicle brakes, and 0 at constant speed.",
         ),
-        key("source", "source = \"SAE 2010-01-0062\"", Form::Text, "Where its numbers come from."),
+        key("source = \"SAE 2010-01-0062\"", Form::Text, "Where its numbers come from."),
     ],
     rules: &[Rule::NotEmpty],
 };
@@ -1396,14 +1269,12 @@ pub(crate) static SKID: Schema = Schema {
     text: "Skid marks of all wheels, up to the impact.",
     keys: &[
         key(
-            "length",
             "length = \"18 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance that the vehicle skidded, from the beginning of the marks to the impact.",
         ),
-        table("from", "from = { x = \"18 m\", y = \"15 m\" }", &SKID_FROM),
+        table("from = { x = \"18 m\", y = \"15 m\" }", &SKID_FROM),
         key(
-            "friction",
             "friction = 0.7",
             Form::Number(FRICTION),
             "Coefficient of friction there. Without it, that of [surface] is used.",
@@ -1423,44 +1294,37 @@ pub(crate) static AFTER: Schema = Schema {
     text: "The vehicle between impact and rest. Where it came to rest, what slowed its wheels and, where it is known from elsewhere, how it left the impact.",
     keys: &[
         key(
-            "friction",
             "friction = 0.72",
             Form::Number(FRICTION),
             "Coefficient of friction between the tyres of this vehicle and the ground. It takes the place of that of [surface] on the path of this vehicle; a zone keeps its own.",
         ),
         key(
-            "drag",
             "drag = [0.02, \"locked\", 0.02, 0.02]",
             Form::Wheels(NOT_NEGATIVE, &words_of(&WheelDrag::WORDS)),
             "What resists the rolling of the wheels, as a share of the load on each. One value for all wheels, or a list of four: front left, front right, rear left, rear right. About 0.01 rolls freely; `\"locked\"` does not turn.",
         ),
         key(
-            "steer",
             "steer = \"5 deg\"",
             Form::QuantityOrTables(Dimension::Angle, ANY, &STEER),
             "Steer angle of the front wheels. Positive counter-clockwise, or clockwise with `axes = \"z-down\"`, seen from above; 0 (the default) is straight ahead. One angle, or a list of angles over time.",
         ),
-        table("rest", "rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }", &REST),
+        table("rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }", &REST),
         key(
-            "points",
             "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]",
             Form::Tables(&POINT, 0),
             "Places where the CG passed, from impact to rest. They show which of several motions to the same rest took place.",
         ),
         key(
-            "speed",
             "speed = \"12 m/s\"",
             Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
             "Speed of the CG just after the impact, if it is known from elsewhere. Give it with `direction`.",
         ),
         key(
-            "direction",
             "direction = \"35 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Direction in which the CG left the impact. The angle from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
         ),
         key(
-            "yaw_rate",
             "yaw_rate = \"90 deg/s\"",
             Form::Quantity(Dimension::YawRate, ANY),
             "Yaw rate just after the impact, if it is known from elsewhere. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
@@ -1476,13 +1340,11 @@ pub(crate) static REST: Schema = Schema {
         PLACE[0],
         PLACE[1],
         key(
-            "heading",
             "heading = \"140 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Heading at rest. The angle of the forward axis from the x axis of the scene, like `heading` of the vehicle; it does not say which way and how far the vehicle turned.",
         ),
         key(
-            "turned",
             "turned = \"-220 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Angle by which the vehicle turned since the impact, full turns included. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
@@ -1498,13 +1360,11 @@ pub(crate) static POINT: Schema = Schema {
         PLACE[0],
         PLACE[1],
         key(
-            "heading",
             "heading = \"140 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Heading there, where marks show it. At the end of rotation, from which the vehicle went on without yaw, it is that of the rest.",
         ),
         key(
-            "wheel",
             "wheel = \"front left\"",
             Form::Words(&words_of(&MarkedWheel::WORDS)),
             "Wheel that passed there, if the place is on its tyre mark. Without it, the place is one that the CG passed.",
@@ -1518,13 +1378,11 @@ pub(crate) static STEER: Schema = Schema {
     text: "Steer angle at one time. Between two times it changes linearly; before the first and after the last it is constant.",
     keys: &[
         key(
-            "time",
             "time = \"0.5 s\"",
             Form::Quantity(Dimension::Time, NOT_NEGATIVE),
             "Time since the impact. Each is later than the one before.",
         ),
         key(
-            "angle",
             "angle = \"5 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Steer angle at that time, signed like `steer`.",
@@ -1542,68 +1400,57 @@ pub(crate) static CRUSH: Schema = Schema {
     text: "Damage to one side of the vehicle. The measured residual crush and the stiffness of the structure, or the energy equivalent speed.",
     keys: &[
         key(
-            "ees",
             "ees = \"45 km/h\"",
             Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
             "Energy equivalent speed. The crush energy is ½ m EES². Give it in place of width, depths and stiffness, for example from a catalogue; it stands for the energy of all plastic deformation, so no correction for an oblique force is applied.",
         ),
         key(
-            "side",
             "side = \"front\"",
             Form::Words(&words_of(&SIDES)),
             "Damaged side. The side of the vehicle whose face was crushed.",
         ),
         key(
-            "width",
             "width = \"65 in\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Width of the whole damage along the face. It may be left out if `spacing` is given.",
         ),
         key(
-            "depths",
             "depths = \"21.3 20.3 13.8 11.3 5.3 4.8 in\"",
             Form::Quantities(Dimension::Length, NOT_NEGATIVE, 2),
             "Crush depths C1, C2, … at two or more stations. They run from left to right on the front and rear, and from rear to front on the sides.",
         ),
         key(
-            "spacing",
             "spacing = \"13 13 13 13 13 in\"",
             Form::Quantities(Dimension::Length, POSITIVE, 1),
             "Widths between neighbouring stations, one fewer than there are depths. Without them, the stations are equally spaced over the width.",
         ),
         key(
-            "from_force_balance",
             "from_force_balance = true",
             Form::Flag,
             "Crush inferred from the other vehicle. Set it to true if this vehicle could not be measured: the force on it equals the force on the other one. It then has no depths.",
         ),
-        table("stiffness", "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }", &STIFFNESS),
+        table("stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }", &STIFFNESS),
         key(
-            "offset",
             "offset = \"12 in\"",
             Form::Quantity(Dimension::Length, ANY),
             "Middle of the damage. On the front and rear, its distance to the left of the vehicle's axis, or to the right with `axes = \"z-down\"`; on the sides, its distance forward of the CG. It places the damage in drawings, gives a line of action or, with the outline, the contact point if there is none, and shows whether a contact point lies within the damage.",
         ),
         key(
-            "pdof",
             "pdof = \"2.7 deg\"",
             Form::AngleOrHour,
             "Principal direction of force. The direction from which the force comes, clockwise from the heading in any axes, or a clock hour. The CRASH3 part of every command uses it instead of the direction of the impulse, and uses its opposite for the other vehicle if that one gives none; the impact itself does not depend on it.",
         ),
         key(
-            "oblique_angle",
             "oblique_angle = \"20 deg\"",
             Form::Quantity(Dimension::Angle, Bounds::Acute),
             "Angle between the force and the normal of the damaged side. It is less than 90° and replaces the angle derived from the direction of force.",
         ),
         key(
-            "moment_arm",
             "moment_arm = \"2.1 ft\"",
             Form::Quantity(Dimension::Length, NOT_NEGATIVE),
             "Distance from the CG to the line of action of the force. It replaces the distance derived from the contact point and the direction of force.",
         ),
         key(
-            "oblique",
             "oblique = \"capped\"",
             Form::WordsOrTable(&words_of(&OBLIQUE_CORRECTIONS), &OBLIQUE),
             "Correction of the crush energy for an oblique force. `\"capped\"` (the default): 1 + tan²α with α limited to 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α, after Fonda (SAE 1999-01-0106); `\"none\"`: no correction; `{ friction = 0.5 }`: limited by friction.",
@@ -1623,49 +1470,41 @@ pub(crate) static IMPACT: Schema = Schema {
     text: "The impact: the crush plane, and the impact law with its coefficients. A key of another law is an error.",
     keys: &[
         key(
-            "crush_plane",
             "crush_plane = \"-23 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Angle Γ of the normal of the crush plane. Measured from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`. The plane itself lies along the surface on which the vehicles touched; Γ and Γ + 180° describe the same plane.",
         ),
         key(
-            "law",
             "law = \"brach\"",
             Form::Law(&words_of(&LawName::WORDS)),
             "Impact law. The default is `\"brach\"`.",
         ),
         key(
-            "restitution",
             "restitution = 0.3",
             Form::NumberOrTable(Bounds::BelowOne, &RESTITUTION),
             "Coefficient of restitution e, 0 to 1. The separation speed after the impact divided by the closing speed before it, at the contact point and normal to the crush plane; or a curve over the closing speed.",
         ),
         key(
-            "tangential",
             "tangential = \"critical\"",
             Form::WordsOrTable(&words_of(&BrachTangential::WORDS), &TANGENTIAL),
             "What happens along the crush plane, for Brach's law. `\"critical\"`: sliding ends at or before separation, as in most collisions that are not sideswipes; or a table with `ratio`, `fraction` or `friction`.",
         ),
         key(
-            "moment_restitution",
             "moment_restitution = -0.5",
             Form::Number(Bounds::Coefficient),
             "Moment coefficient of restitution e_m, -1 to 1. It sets the moment impulse at the contact point, for Brach's law; -1 (the default) is no moment impulse.",
         ),
         key(
-            "tangential_velocity_change",
             "tangential_velocity_change = \"5 m/s\"",
             Form::Quantity(Dimension::Speed, ANY),
             "Change of the relative velocity along the crush plane. Give it for a sideswipe with Woolley's law; without it, the surfaces stop sliding. The tangential axis is the normal rotated by 90°, counter-clockwise or, with `axes = \"z-down\"`, clockwise.",
         ),
         key(
-            "tangential_restitution",
             "tangential_restitution = -0.2",
             Form::Number(Bounds::Coefficient),
             "Tangential coefficient of restitution e_t, -1 to 1, for Ishikawa's law. 1 reverses the sliding, 0 ends it, and -1 leaves it unchanged.",
         ),
         key(
-            "friction",
             "friction = 0.5",
             Form::Number(NOT_NEGATIVE),
             "Friction coefficient μ, for Kudlich and Slibar's law. The surfaces stop sliding, or slide until they separate if stopping would take more friction than this.",
@@ -1728,13 +1567,11 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
     text: "The reconstruction: which speed to find. It is the speed at which the impact dissipates exactly the crush energy.",
     keys: &[
         key(
-            "find",
             "find = \"vehicle1.speed\"",
             Form::WordOrAll(&words_of(&UNKNOWNS)),
             "The speed to find. The other vehicle's speed must be known, unless that vehicle is fixed. A list of both speeds finds both, from the motion of both vehicles after the impact.",
         ),
         key(
-            "energy_basis",
             "energy_basis = \"dissipated\"",
             Form::WordsOrTable(&words_of(&ENERGY_BASES), &ENERGY_BASIS),
             "What the crush energy stands for. `\"dissipated\"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests; `{ tangential_share = … }`: as `\"dissipated\"`, but the damage also shows a share of the work of the tangential impulse.",
@@ -1747,7 +1584,6 @@ pub(crate) static ENERGY_BASIS: Schema = Schema {
     place: "energy_basis = { … } of [reconstruct]",
     text: "A share of the work of sliding in the crush energy. The crush energy equals the work of the normal impulse and this share of that of the tangential impulse.",
     keys: &[key(
-        "tangential_share",
         "tangential_share = 0.5",
         Form::Number(Bounds::Share),
         "Share λ of the work of the tangential impulse that the crush takes, 0 to 1. 0 is the method of SAE 980025.",
@@ -1756,7 +1592,7 @@ pub(crate) static ENERGY_BASIS: Schema = Schema {
 };
 
 /// Values that are estimated from a table or a formula if the file does not give them.
-pub(crate) static ESTIMATES: [&str; 6] = [
+static ESTIMATES: [&str; 6] = [
     "vehicle1.crush.stiffness",
     "vehicle1.yaw_inertia",
     "vehicle1.contact",
@@ -1770,13 +1606,11 @@ pub(crate) static UNCERTAINTY: Schema = Schema {
     text: "What `deltav uncertainty` cannot see from the ranges. Errors that several numbers share, and estimates that have no spread.",
     keys: &[
         key(
-            "exact",
             "exact = [\"vehicle1.crush.stiffness\"]",
             Form::Keys(&ESTIMATES),
             "Estimates without a spread. The stiffness of a `category`, the yaw inertia of a `class` or by Burg's formula, and a contact point that the program placed have a spread by default; for those listed here it is switched off.",
         ),
         key(
-            "shared",
             "shared = [{ name = \"tape\", of = [\"vehicle1.crush.depths\"], sd = \"1 cm\" }]",
             Form::Tables(&SHARED, 0),
             "Errors that several numbers share. Each sample draws such an error once and applies it to all of its numbers.",
@@ -1789,27 +1623,23 @@ pub(crate) static SHARED: Schema = Schema {
     place: "[[uncertainty.shared]]",
     text: "An error that several numbers share, such as that of one tape, one photograph or one scale. `sd` is added to each number, in one unit for all; `within` multiplies each number.",
     keys: &[
-        key("name", "name = \"tape\"", Form::Text, "Name of the error. Reports use it."),
+        key("name = \"tape\"", Form::Text, "Name of the error. Reports use it."),
         key(
-            "of",
             "of = [\"vehicle1.crush.depths\", \"vehicle1.crush.width\"]",
             Form::Keys(&[]),
             "The numbers that share the error, by their keys. The key of a list means all of its numbers. A depth that the error would make negative is zero.",
         ),
         key(
-            "sd",
             "sd = \"1 cm\"",
             Form::Deviation,
             "Standard deviation of the error. It is added to each of the numbers.",
         ),
         key(
-            "within",
             "within = \"5 %\"",
             Form::Percent(POSITIVE),
             "Greatest error in per cent of each number, with the probability `confidence`. All of the numbers are multiplied by the same factor.",
         ),
         key(
-            "confidence",
             "confidence = 0.95",
             Form::Probability,
             "Probability that the error is no larger. More than 0 and less than 1.",
@@ -1828,13 +1658,11 @@ pub(crate) static CONTACT: Schema = Schema {
     text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`. Where it is left out, an impact takes the centroid of the damage, if `crush` has `width`, `depths` and `offset` and the outline or `class` is given.",
     keys: &[
         key(
-            "distance",
             "distance = \"6.3 ft\"",
             Form::Quantity(Dimension::Length, NOT_NEGATIVE),
             "Distance from the CG to the contact point.",
         ),
         key(
-            "angle",
             "angle = \"-22.4 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Angle from the heading to the contact point. Positive to the left, or to the right with `axes = \"z-down\"`.",
@@ -1850,13 +1678,11 @@ pub(crate) static VELOCITY: Schema = Schema {
     text: "Velocity of the CG just before impact. It is given in the axes of the scene.",
     keys: &[
         key(
-            "x",
             "x = \"-75 ft/s\"",
             Form::Quantity(Dimension::Speed, ANY),
             "Component along the x axis of the scene.",
         ),
         key(
-            "y",
             "y = \"0 ft/s\"",
             Form::Quantity(Dimension::Speed, ANY),
             "Component along the y axis of the scene.",
@@ -1867,37 +1693,31 @@ pub(crate) static VELOCITY: Schema = Schema {
 
 // The keys of a straight line of force against crush: of a whole side, or of one zone.
 const STIFFNESS_A: KeyInfo = key(
-    "A",
     "A = \"587 N/cm\"",
     Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
     "Stiffness A. Force per width at which crush begins.",
 );
 const STIFFNESS_B: KeyInfo = key(
-    "B",
     "B = \"63.3 N/cm^2\"",
     Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
     "Stiffness B. Force per width and depth; it may be zero only if `G` is given.",
 );
 const STIFFNESS_D0: KeyInfo = key(
-    "d0",
     "d0 = \"35 lb^0.5\"",
     Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
     "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
 const STIFFNESS_D1: KeyInfo = key(
-    "d1",
     "d1 = \"115 lb^0.5/ft\"",
     Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
     "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
 const STIFFNESS_G: KeyInfo = key(
-    "G",
     "G = \"612 lb\"",
     Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
     "Stiffness G. Energy per width that leaves no crush; the default is A²/2B.",
 );
 const STIFFNESS_LIMIT: KeyInfo = key(
-    "limit",
     "limit = \"250 kN/m\"",
     Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
     "Force per width at which the force stops rising. Leave it out if it is not known.",
@@ -1914,18 +1734,15 @@ pub(crate) static STIFFNESS: Schema = Schema {
         STIFFNESS_G,
         STIFFNESS_LIMIT,
         key(
-            "category",
             "category = 4",
             Form::Count(5),
             "Stiffness category of CRASH3's table, 1 to 5. By wheelbase: 1 minicar (93 in), 2 subcompact (96 in), 3 compact (105 in), 4 intermediate (114 in), 5 full-size (121 in and more). The table has values for each side (SAE 870045, Table 1).",
         ),
         table(
-            "test",
             "test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }",
             &TEST,
         ),
         key(
-            "zones",
             "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]",
             Form::Tables(&ZONE, 0),
             "Stiffness of each zone between two stations. There is one zone fewer than there are depths.",
@@ -1952,43 +1769,32 @@ pub(crate) static TEST: Schema = Schema {
     text: "A full-width test against a rigid barrier, to which the stiffness is fitted. The tested car is of the same or a similar model.",
     keys: &[
         key(
-            "mass",
             "mass = \"1500 kg\"",
             Form::Quantity(Dimension::Mass, POSITIVE),
             "Test mass. Alternatively, give `weight`.",
         ),
         key(
-            "weight",
             "weight = \"3300 lb\"",
             Form::Quantity(Dimension::Weight, POSITIVE),
             "Test weight. Alternatively, give `mass`.",
         ),
+        key("speed = \"56 km/h\"", Form::Quantity(Dimension::Speed, POSITIVE), "Impact speed of the test."),
         key(
-            "speed",
-            "speed = \"56 km/h\"",
-            Form::Quantity(Dimension::Speed, POSITIVE),
-            "Impact speed of the test.",
-        ),
-        key(
-            "width",
             "width = \"1.6 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
             "Width of the damage in the test.",
         ),
         key(
-            "depths",
             "depths = \"42 50 54 54 50 42 cm\"",
             Form::Quantities(Dimension::Length, NOT_NEGATIVE, 2),
             "Residual crush after the test, at equally spaced stations.",
         ),
         key(
-            "no_damage_speed",
             "no_damage_speed = \"8 km/h\"",
             Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
             "Highest impact speed that leaves no crush. It is below the speed of the test.",
         ),
         key(
-            "fit",
             "fit = \"exact\"",
             Form::Words(&words_of(&Fit::WORDS)),
             "How the stiffness is fitted. `\"exact\"` (the default): the fit reproduces the kinetic energy of the test; `\"mean\"`: the fit uses the mean crush, which gives an energy a few per cent too high.",
@@ -2005,7 +1811,6 @@ pub(crate) static OBLIQUE: Schema = Schema {
     place: "oblique = { … } of a crush table",
     text: "A correction for an oblique force, limited by friction. The factor is 1 + min(|tan α|, μ) |tan α|.",
     keys: &[key(
-        "friction",
         "friction = 0.5",
         Form::Number(NOT_NEGATIVE),
         "Friction coefficient μ between the vehicles.",
@@ -2018,19 +1823,16 @@ pub(crate) static TANGENTIAL: Schema = Schema {
     text: "What happens along the crush plane. Give one of `ratio`, `fraction` and `friction`.",
     keys: &[
         key(
-            "ratio",
             "ratio = 0.37",
             Form::Number(ANY),
             "Impulse ratio μ. The tangential impulse divided by the normal impulse, with its sign: the tangential axis is the normal rotated by 90°, counter-clockwise or, with `axes = \"z-down\"`, clockwise.",
         ),
         key(
-            "fraction",
             "fraction = 0.9",
             Form::Number(Bounds::Share),
             "Fraction of the critical impulse ratio, 0 to 1. 0 is no friction, and 1 ends the sliding.",
         ),
         key(
-            "friction",
             "friction = 0.5",
             Form::Number(NOT_NEGATIVE),
             "Friction coefficient μ. The surfaces stop sliding, or slide until they separate if stopping would take more friction than this. Use it for sideswipes and barriers.",
@@ -2044,13 +1846,11 @@ pub(crate) static RESTITUTION: Schema = Schema {
     text: "A coefficient of restitution that depends on the closing speed. It has as many values as speeds.",
     keys: &[
         key(
-            "speeds",
             "speeds = \"2 5 10 20 m/s\"",
             Form::Quantities(Dimension::Speed, NOT_NEGATIVE, 1),
             "Closing speeds, in ascending order.",
         ),
         key(
-            "values",
             "values = [0.3, 0.2, 0.12, 0.05]",
             Form::Numbers(Bounds::BelowOne),
             "Coefficient of restitution at each of these speeds, 0 to 1.",
@@ -2059,35 +1859,38 @@ pub(crate) static RESTITUTION: Schema = Schema {
     rules: &[Rule::Needs(&["speeds", "values"])],
 };
 
+/// A key of a range, whose example shows the range.
+const fn of_range(name: &'static str, example: &'static str, form: Form, text: &'static str) -> KeyInfo {
+    KeyInfo { name, example, form, text }
+}
+
 // The keys of a range; the example of a key also serves for the amounts of its range.
-const RANGE_VALUE: KeyInfo = key("value", "{ value = …, sd = … }", Form::Value, "Central value.");
-const RANGE_SD: KeyInfo = key(
+const RANGE_VALUE: KeyInfo = of_range("value", "{ value = …, sd = … }", Form::Value, "Central value.");
+const RANGE_SD: KeyInfo = of_range(
     "sd",
     "{ value = …, sd = … }",
     Form::Deviation,
     "Standard deviation. With `value`, it makes a normal distribution.",
 );
-const RANGE_LOW: KeyInfo = key("low", "{ low = …, high = … }", Form::Value, "Least value.");
-const RANGE_MODE: KeyInfo = key(
+const RANGE_LOW: KeyInfo = of_range("low", "{ low = …, high = … }", Form::Value, "Least value.");
+const RANGE_MODE: KeyInfo = of_range(
     "mode",
     "{ low = …, mode = …, high = … }",
     Form::Value,
     "Most likely value. With `low` and `high`, it makes a triangular distribution.",
 );
-const RANGE_HIGH: KeyInfo = key(
+const RANGE_HIGH: KeyInfo = of_range(
     "high",
     "{ low = …, high = … }",
     Form::Value,
     "Greatest value. With only `low`, every value between the two is equally likely.",
 );
 const RANGE_WITHIN: KeyInfo = key(
-    "within",
     "within = \"10 %\"",
     Form::Percent(POSITIVE),
     "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
 );
 const RANGE_CONFIDENCE: KeyInfo = key(
-    "confidence",
     "confidence = 0.95",
     Form::Probability,
     "Probability that the number lies within that deviation. More than 0 and less than 1.",
@@ -2115,7 +1918,6 @@ pub(crate) static SOURCED_RANGE: Schema = Schema {
     keys: &joined::<8>(
         &RANGE_KEYS,
         &[key(
-            "source",
             "source = \"Dettinger 2008\"",
             Form::Text,
             "Where the number comes from. The report shows it.",
@@ -2134,8 +1936,8 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     place: "a range of several values",
     text: "Several numbers that are not known exactly. All have the same spread, and each varies independently of the others.",
     keys: &[
-        key("values", "values = \"21.3 20.3 13.8 in\"", Form::Values, "The central values."),
-        key(
+        key("values = \"21.3 20.3 13.8 in\"", Form::Values, "The central values."),
+        of_range(
             "sd",
             "{ values = …, sd = … }",
             Form::Deviation,

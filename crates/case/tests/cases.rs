@@ -59,6 +59,10 @@ fn problems(text: &str) -> Vec<CaseProblem> {
     errors.list().iter().map(|diagnostic| diagnostic.problem().clone()).collect()
 }
 
+fn messages(text: &str) -> Vec<String> {
+    problems(text).iter().map(ToString::to_string).collect()
+}
+
 /// The faults that prevent the reconstruction of a case, in its file.
 fn faults(text: &str) -> Diagnostics {
     let file = read(text);
@@ -845,14 +849,15 @@ fn a_fixed_object_has_nothing_that_moves() {
         ("yaw_rate", "yaw_rate = \"0 deg/s\""),
         ("crush", crush),
     ] {
-        assert_eq!(problems(&with(line)), [CaseProblem::FixedHas { table: "[vehicle2]".to_owned(), key }]);
+        let message = format!("[vehicle2] is fixed, so it cannot give \"{key}\"");
+        assert_eq!(messages(&with(line)), [message]);
         read(&with(line).replace("fixed = true", "fixed = false"));
     }
     for key in ["diameter", "deformation_energy"] {
         let line = if key == "diameter" { "diameter = \"30 cm\"" } else { "deformation_energy = \"15 kJ\"" };
         read(&with(line));
         let moves = with(line).replace("fixed = true", "fixed = false");
-        assert_eq!(problems(&moves), [CaseProblem::OfObject { table: "[vehicle2]".to_owned(), key }]);
+        assert_eq!(messages(&moves), [format!("[vehicle2] gives \"{key}\", which only a fixed object has")]);
     }
     read(&with("name = \"wall\"\nheading = \"90 deg\"\ncontact = { x = \"0 m\", y = \"0 m\" }"));
 }
@@ -871,12 +876,14 @@ fn a_profile_has_two_to_ten_thousand_stations() {
         }
     }
     for text in [string(1), list(1)] {
-        assert!(matches!(problems(&text)[..], [CaseProblem::TooFewStations { count: 1, .. }]));
+        let message = "\"vehicle1.crush.depths\" has 1 station, but a profile needs at least two";
+        assert_eq!(messages(&text), [message]);
     }
     for text in [string(10_001), list(10_001)] {
         assert!(matches!(problems(&text)[..], [CaseProblem::TooMany { count: 10_001, limit: 10_000, .. }]));
     }
-    assert!(matches!(problems(&list(0))[..], [CaseProblem::TooFewStations { count: 0, .. }]));
+    let message = "\"vehicle1.crush.depths\" has 0 stations, but a profile needs at least two";
+    assert_eq!(messages(&list(0)), [message]);
 }
 
 #[test]

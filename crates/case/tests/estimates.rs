@@ -8,7 +8,9 @@
     reason = "helpers of tests fail by panicking"
 )]
 
-use case::{CaseFile, CrushEvidence, DamageData, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
+use case::{
+    CaseFile, CrushEvidence, DamageData, Fit, InferredWidth, StiffnessSource, VehicleData, YawSource, to_toml,
+};
 use crash3::{ObliqueCorrection, Side, SideStiffness, Stiffness, crush_energy};
 
 /// Two cars, each with the lines given for it and for its crush.
@@ -28,12 +30,11 @@ const FRONT: &str = "side = \"front\"\nwidth = \"1.5 m\"\ndepths = \"0.3 0.3 m\"
 const FORCE: &str = "oblique_angle = \"0 deg\"\nmoment_arm = \"0 m\"";
 
 fn damages(file: &CaseFile) -> [DamageData; 2] {
-    file.case
-        .damage()
-        .map_err(|error| error.to_string())
-        .unwrap()
-        .vehicles
-        .map(|vehicle| vehicle.damage.unwrap())
+    vehicles(file).map(|vehicle| vehicle.damage.unwrap())
+}
+
+fn vehicles(file: &CaseFile) -> [VehicleData; 2] {
+    file.case.damage().map_err(|error| error.to_string()).unwrap().vehicles
 }
 
 /// The stiffness that these lines give the front of vehicle 1.
@@ -147,7 +148,7 @@ fn yaw_inertia_comes_from_the_file_then_the_class_then_burg() {
 #[test]
 fn one_pdof_and_two_headings_give_the_other_pdof() {
     let stiff = "stiffness = { category = 1 }\nmoment_arm = \"0 m\"";
-    let [first, second] = damages(&cars([
+    let [first, second] = vehicles(&cars([
         (&format!("{YAW}\nheading = \"0 deg\""), &format!("{FRONT}\n{stiff}\npdof = \"1 o'clock\"")),
         (
             &format!("{YAW}\nheading = \"90 deg\""),
@@ -155,23 +156,23 @@ fn one_pdof_and_two_headings_give_the_other_pdof() {
         ),
     ]));
     // From the scene's −30° on vehicle 1, so from 150° on vehicle 2: 60° to the left of its heading.
-    assert!((first.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
-    assert!((second.pdof.unwrap().to_degrees() + 60.0).abs() < 1e-12);
+    assert!((first.force.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
+    assert!((second.force.pdof.unwrap().to_degrees() + 60.0).abs() < 1e-12);
     // And the other way round: vehicle 2 is struck from 60° on its left, so vehicle 1 from 30° on its right.
     let left =
         format!("side = \"left\"\nwidth = \"2 m\"\ndepths = \"0.2 0.1 m\"\n{stiff}\npdof = \"10 o'clock\"");
-    let [first, _] = damages(&cars([
+    let [first, _] = vehicles(&cars([
         (&format!("{YAW}\nheading = \"0 deg\""), &format!("{FRONT}\n{stiff}")),
         (&format!("{YAW}\nheading = \"90 deg\""), &left),
     ]));
-    assert!((first.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
+    assert!((first.force.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
     // The back of the clock lies in (−180°, 180°]; 12 is straight ahead.
     for (clock, degrees) in
         [("2 o'clock", 60.0), ("6 o’clock", 180.0), ("9  o'clock ", -90.0), ("12 o'clock", 0.0)]
     {
         let crush = format!("{FRONT}\n{stiff}\npdof = \"{clock}\"");
-        let [damage, _] = damages(&cars([(YAW, &crush), (YAW, &crush)]));
-        assert!((damage.pdof.unwrap().to_degrees() - degrees).abs() < 1e-12, "{clock}");
+        let [vehicle, _] = vehicles(&cars([(YAW, &crush), (YAW, &crush)]));
+        assert!((vehicle.force.pdof.unwrap().to_degrees() - degrees).abs() < 1e-12, "{clock}");
     }
 }
 
@@ -250,7 +251,7 @@ fn a_reconstruction_with_a_force_balance_needs_a_direction() {
         "{text}"
     );
     let input = reconstruct("pdof = \"0 deg\"").unwrap();
-    let pdof = input.collision.vehicles.map(|vehicle| vehicle.damage.unwrap().pdof.unwrap());
+    let pdof = input.collision.vehicles.map(|vehicle| vehicle.force.pdof.unwrap());
     assert_eq!(pdof[0], 0.0);
     assert!((pdof[1] - std::f64::consts::PI).abs() < 1e-15);
     assert!(

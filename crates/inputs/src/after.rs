@@ -212,30 +212,23 @@ pub enum SkidBegin<T = f64> {
 impl<U> Walk<'_, U> {
     pub(crate) fn after(&mut self, table: &dyn Display, after: &After) -> After<U> {
         let at = |key| Key(table, key);
-        let points = at("points");
         After {
             friction: after.friction.map(|friction| self.number(&at("friction"), friction)),
             drag: after.drag.as_ref().map(|drag| self.drag(&at("drag"), drag)),
             steer: after.steer.as_ref().map(|steer| self.steer(&at("steer"), steer)),
             rest: after.rest.as_ref().map(|rest| self.rest(&at("rest"), rest)),
-            points: after
-                .points
-                .iter()
-                .enumerate()
-                .map(|(i, point)| {
-                    let table = Element(&points, i);
-                    PathPoint {
-                        place: self.place(&table, &point.place),
-                        heading: self.maybe(&Key(&table, "heading"), point.heading.as_ref()),
-                        wheel: point
-                            .wheel
-                            .map(|wheel| self.choice(&Key(&table, "wheel"), &MarkedWheel::WORDS, wheel)),
-                    }
-                })
-                .collect(),
+            points: self.each(&at("points"), &after.points, Self::path_point),
             speed: self.maybe(&at("speed"), after.speed.as_ref()),
             direction: self.maybe(&at("direction"), after.direction.as_ref()),
             yaw_rate: self.maybe(&at("yaw_rate"), after.yaw_rate.as_ref()),
+        }
+    }
+
+    fn path_point(&mut self, table: &dyn Display, point: &PathPoint) -> PathPoint<U> {
+        PathPoint {
+            place: self.place(table, &point.place),
+            heading: self.maybe(&Key(table, "heading"), point.heading.as_ref()),
+            wheel: point.wheel.map(|wheel| self.choice(&Key(table, "wheel"), &MarkedWheel::WORDS, wheel)),
         }
     }
 
@@ -264,19 +257,12 @@ impl<U> Walk<'_, U> {
     fn steer(&mut self, path: &dyn Display, steer: &GivenSteer) -> GivenSteer<U> {
         match steer {
             GivenSteer::Held(angle) => GivenSteer::Held(self.quantity(path, angle)),
-            GivenSteer::Over(points) => GivenSteer::Over(
-                points
-                    .iter()
-                    .enumerate()
-                    .map(|(i, point)| {
-                        let table = Element(path, i);
-                        SteerPoint {
-                            time: self.quantity(&Key(&table, "time"), &point.time),
-                            angle: self.quantity(&Key(&table, "angle"), &point.angle),
-                        }
-                    })
-                    .collect(),
-            ),
+            GivenSteer::Over(points) => {
+                GivenSteer::Over(self.each(path, points, |walk, table, point| SteerPoint {
+                    time: walk.quantity(&Key(table, "time"), &point.time),
+                    angle: walk.quantity(&Key(table, "angle"), &point.angle),
+                }))
+            }
         }
     }
 
@@ -295,9 +281,7 @@ impl<U> Walk<'_, U> {
     }
 
     pub(crate) fn before(&mut self, table: &dyn Display, before: &Before) -> Before<U> {
-        let phases = Key(table, "phase");
-        let phase = |(index, phase)| self.phase(&Element(&phases, index), phase);
-        let phases = before.phases.iter().enumerate().map(phase).collect();
+        let phases = self.each(&Key(table, "phase"), &before.phases, Self::phase);
         let skid = Key(table, "skid");
         Before {
             skid: before.skid.as_ref().map(|of| self.skid(&skid, of)),

@@ -125,6 +125,14 @@ impl Find {
     }
 }
 
+impl<T: Copy> Case<T> {
+    /// (–) the friction of the ground, if the case gives it.
+    #[must_use]
+    pub fn ground_friction(&self) -> Option<T> {
+        self.surface.as_ref().map(|surface| surface.friction)
+    }
+}
+
 impl<T: Real> Case<T> {
     /// (rad) headings of both vehicles, in the axes of the engine.
     #[must_use]

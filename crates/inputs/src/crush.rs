@@ -9,7 +9,7 @@ use pim_core::Real;
 use crate::inertia::Mass;
 use crate::quantity::Quantity;
 use crate::text::Text;
-use crate::walk::{Element, Key, Walk};
+use crate::walk::{Key, Walk};
 use crate::words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED};
 
 /// The damage to one side of a vehicle.
@@ -387,9 +387,7 @@ impl<U> Walk<'_, U> {
                 })
             }
             StiffnessForm::Zones(zones) => {
-                let zones_path = Key(table, "zones");
-                let zone = |(i, line)| self.line(&Element(&zones_path, i), line);
-                StiffnessForm::Zones(zones.iter().enumerate().map(zone).collect())
+                StiffnessForm::Zones(self.each(&Key(table, "zones"), zones, Self::line))
             }
         }
     }

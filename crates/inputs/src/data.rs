@@ -42,28 +42,26 @@ pub struct VehicleData<T = f64> {
     pub deformation_energy: Option<T>,
     /// The damage, where only its energy is known.
     pub energy: Option<EnergyData<T>>,
+    /// The force that caused either of them.
+    pub force: ForceData<T>,
 }
 
-impl<T: Copy> VehicleData<T> {
+/// What the case gives of the force that caused a damage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceData<T = f64> {
     /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
-    #[must_use]
-    pub fn pdof(&self) -> Option<T> {
-        self.damage.as_ref().map(|damage| damage.pdof).or(self.energy.map(|energy| energy.pdof))?
-    }
+    pub pdof: Option<T>,
+    /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
+    pub pdof_follows: bool,
+    /// Whether it is an hour of the clock, the given one or that of the other vehicle: each is 30° wide.
+    pub pdof_is_hour: bool,
+    /// (m) h as given.
+    pub moment_arm: Option<T>,
+}
 
-    /// Whether that PDOF was derived from that of the other vehicle, by Newton's third law.
-    #[must_use]
-    pub fn pdof_follows(&self) -> bool {
-        let of_energy = self.energy.is_some_and(|energy| energy.pdof_follows);
-        self.damage.as_ref().map_or(of_energy, |damage| damage.pdof_follows)
-    }
-
-    /// Whether the PDOF is known as the hour of a clock alone.
-    #[must_use]
-    pub fn pdof_is_hour(&self) -> bool {
-        let of_energy = self.energy.is_some_and(|energy| energy.pdof_is_hour);
-        self.damage.as_ref().map_or(of_energy, |damage| damage.pdof_is_hour)
-    }
+impl<T> ForceData<T> {
+    /// Nothing is known of it.
+    pub const UNKNOWN: Self = Self { pdof: None, pdof_follows: false, pdof_is_hour: false, moment_arm: None };
 }
 
 /// A damage of which nothing but the energy is known.
@@ -73,14 +71,6 @@ pub struct EnergyData<T = f64> {
     pub ees: Option<T>,
     /// The damaged side, if the case gives it.
     pub side: Option<Side>,
-    /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
-    pub pdof: Option<T>,
-    /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
-    pub pdof_follows: bool,
-    /// Whether the PDOF is known as the hour of a clock alone.
-    pub pdof_is_hour: bool,
-    /// (m) h as given.
-    pub moment_arm: Option<T>,
 }
 
 /// Mass and yaw inertia.
@@ -94,7 +84,7 @@ pub struct InertiaData<T = f64> {
     pub yaw_source: YawSource,
 }
 
-/// The damage, and the data of the case on the force that caused it.
+/// The damage of a side.
 #[derive(Clone, Debug)]
 pub struct DamageData<T = f64> {
     /// The damaged side.
@@ -110,16 +100,8 @@ pub struct DamageData<T = f64> {
     pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
-    /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
-    pub pdof: Option<T>,
-    /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
-    pub pdof_follows: bool,
-    /// Whether it is an hour of the clock, the given one or that of the other vehicle: each is 30° wide.
-    pub pdof_is_hour: bool,
     /// (rad) α as given.
     pub oblique_angle: Option<T>,
-    /// (m) h as given.
-    pub moment_arm: Option<T>,
 }
 
 /// How a crush is known.

@@ -38,7 +38,9 @@ pub enum FaultKind {
 }
 
 impl Fault {
-    pub(crate) fn refused(key: impl Display, reason: impl Display, advice: impl Display) -> Self {
+    /// A value that is refused, with the reason and what to give instead.
+    #[must_use]
+    pub fn refused(key: impl Display, reason: impl Display, advice: impl Display) -> Self {
         let kind = FaultKind::Refused { reason: reason.to_string() };
         Self { key: key.to_string(), kind, advice: Some(advice.to_string()) }
     }

@@ -4,7 +4,7 @@ use pim_core::{InvalidInput, Law, Real, RestitutionCurve, Tangential, VaryingLaw
 
 use crate::axes::Axes;
 use crate::quantity::Quantity;
-use crate::walk::{Element, Walk};
+use crate::walk::Walk;
 use crate::words::words;
 
 /// How the two vehicles met.
@@ -278,9 +278,9 @@ impl<U> Walk<'_, U> {
             Restitution::Constant(e) => Restitution::Constant(self.number(&"impact.restitution", *e)),
             Restitution::OfClosingSpeed { speeds, values } => {
                 let speeds = self.list(&"impact.restitution.speeds", speeds);
-                let value =
-                    |(i, e): (usize, &f64)| self.number(&Element(&"impact.restitution.values", i), *e);
-                Restitution::OfClosingSpeed { speeds, values: values.iter().enumerate().map(value).collect() }
+                let path = "impact.restitution.values";
+                let values = self.each(&path, values, |walk, path, e| walk.number(path, *e));
+                Restitution::OfClosingSpeed { speeds, values }
             }
         }
     }

@@ -88,8 +88,8 @@ pub use basis::{Basis, ENERGY_BASES};
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead, is_of_avoid};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use data::{
-    CollisionData, CrushEvidence, CrushOnly, DamageData, EnergyData, ImpactInput, InertiaData, InferredWidth,
-    ReconstructionInput, StiffnessSource, VehicleData,
+    CollisionData, CrushEvidence, CrushOnly, DamageData, EnergyData, ForceData, ImpactInput, InertiaData,
+    InferredWidth, ReconstructionInput, StiffnessSource, VehicleData,
 };
 pub use demands::{contradictions, table, uncertain_speeds};
 pub use dimensions::Dimensions;

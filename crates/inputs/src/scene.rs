@@ -122,13 +122,12 @@ impl<U> Walk<'_, U> {
                 slope: self.number(&"surface.grade.slope", grade.slope),
                 uphill: self.quantity(&"surface.grade.uphill", &grade.uphill),
             }),
-            zones: surface.zones.iter().enumerate().map(|(i, zone)| self.surface_zone(i, zone)).collect(),
+            zones: self.each(&"surface.zone", &surface.zones, Self::surface_zone),
         }
     }
 
-    fn surface_zone(&mut self, index: usize, zone: &SurfaceZone) -> SurfaceZone<U> {
-        let table = Element(&"surface.zone", index);
-        let at = |key| Key(&table, key);
+    fn surface_zone(&mut self, table: &dyn Display, zone: &SurfaceZone) -> SurfaceZone<U> {
+        let at = |key| Key(table, key);
         let name = self.text(&at("name"), zone.name.as_ref());
         let friction = self.number(&at("friction"), zone.friction);
         match &zone.region {

@@ -158,8 +158,17 @@ impl<'a, U> Walk<'a, U> {
     }
 
     pub(crate) fn list(&mut self, path: &dyn Display, quantities: &[Quantity]) -> Vec<Quantity<U>> {
-        let element = |(i, quantity)| self.quantity(&Element(path, i), quantity);
-        quantities.iter().enumerate().map(element).collect()
+        self.each(path, quantities, Self::quantity)
+    }
+
+    /// The elements of a list, each with its path.
+    pub(crate) fn each<V, W>(
+        &mut self,
+        path: &dyn Display,
+        elements: &[V],
+        mut of: impl FnMut(&mut Self, &dyn Display, &V) -> W,
+    ) -> Vec<W> {
+        elements.iter().enumerate().map(|(i, element)| of(self, &Element(path, i), element)).collect()
     }
 
     /// A quantity that does not vary.

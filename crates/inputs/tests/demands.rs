@@ -155,9 +155,9 @@ fn the_damage_is_in_si_units_and_its_force_has_an_opposite() {
     assert_near(stiffness.g(), 350.0 * 350.0 / 180.0 * pound_force);
     // 1 o'clock is 30° clockwise of a heading of 90°: the force on vehicle 2 comes from 60° in the scene,
     // that on vehicle 1 from 240°, which is 120° clockwise of its heading.
-    assert_near(found.vehicles[1].pdof().unwrap(), PI / 6.0);
-    assert!(!found.vehicles[1].pdof_follows() && found.vehicles[0].pdof_follows());
-    assert_near(found.vehicles[0].pdof().unwrap(), 2.0 * PI / 3.0);
+    assert_near(found.vehicles[1].force.pdof.unwrap(), PI / 6.0);
+    assert!(!found.vehicles[1].force.pdof_follows && found.vehicles[0].force.pdof_follows);
+    assert_near(found.vehicles[0].force.pdof.unwrap(), 2.0 * PI / 3.0);
     assert_eq!(found.restitution, Some(0.2));
 }
 

@@ -73,7 +73,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         }
         CheckedQuantity::Rotation { vehicle } => {
             let found = if check.passed() { "with the moment" } else { "against the moment" };
-            let is_given = analysis.vehicles[vehicle.index()].subject.pdof().is_some();
+            let is_given = analysis.vehicles[vehicle.index()].subject.force.pdof.is_some();
             let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
             (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
         }

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use analysis::{Analysis, Weighed};
-use case::{CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenSitePlan, Program};
+use case::{CaseFile, Diagnostics, Fault, GivenSitePlan, Program};
 use report::{Drawing, DrawingError, SitePlan, Subject, Units};
 
 use crate::beside::beside;
@@ -86,9 +86,7 @@ pub fn site_plan_beside(
 ) -> Result<Option<SitePlan>, Diagnostics> {
     let Some(plan) = &file.case.site_plan else { return Ok(None) };
     let refused = |reason: String, advice: &str| {
-        let kind = FaultKind::Refused { reason };
-        let fault = Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
-        file.diagnostics(&Faults::from(fault), program)
+        file.diagnostics(&Fault::refused("scene.site_plan.file", reason, advice).into(), program)
     };
     let cannot = |error: io::Error| {
         refused(

@@ -94,7 +94,7 @@ pub use distribution::{Distribution, MIN_KEPT, Shape, Truncation};
 pub use error::{InvalidDistribution, InvalidRequest};
 pub use first_order::{FIRST_ORDER_LIMIT, FirstOrder};
 pub use limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
-pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED};
+pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED, evaluate_each};
 pub use points::{MAX_SOBOL_INPUTS, SamplingMethod};
 pub use propagate::{Propagation, propagate};
 pub use run::{Instructions, Progress, Span, for_each, in_order, join};

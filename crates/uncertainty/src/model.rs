@@ -150,20 +150,32 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) {
-        let mut sample = vec![0.0; inputs.len()];
-        let mut answer = vec![0.0; outputs.len()];
-        for (lane, reason) in reasons.iter_mut().enumerate() {
-            for (value, column) in sample.iter_mut().zip(inputs) {
-                *value = column[lane];
-            }
-            match (self.function)(&sample, &mut answer) {
-                Ok(()) => {
-                    for (value, column) in answer.iter().zip(outputs.iter_mut()) {
-                        column[lane] = *value;
-                    }
+        evaluate_each(inputs, outputs, reasons, |_| true, &self.function);
+    }
+}
+
+/// Evaluates the wanted samples of a block one by one, by a function as that of [`Function`].
+#[inline(always)]
+pub fn evaluate_each(
+    inputs: &[Lanes],
+    outputs: &mut [Lanes],
+    reasons: &mut [u8; LANES],
+    is_wanted: impl Fn(usize) -> bool,
+    function: impl Fn(&[f64], &mut [f64]) -> Result<(), u8>,
+) {
+    let mut sample = vec![0.0; inputs.len()];
+    let mut answer = vec![0.0; outputs.len()];
+    for (lane, reason) in reasons.iter_mut().enumerate().filter(|(lane, _)| is_wanted(*lane)) {
+        for (value, column) in sample.iter_mut().zip(inputs) {
+            *value = column[lane];
+        }
+        match function(&sample, &mut answer) {
+            Ok(()) => {
+                for (value, column) in answer.iter().zip(outputs.iter_mut()) {
+                    column[lane] = *value;
                 }
-                Err(code) => *reason = code,
             }
+            Err(code) => *reason = code,
         }
     }
 }

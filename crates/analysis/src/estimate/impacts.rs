@@ -17,7 +17,7 @@ use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::impact::speed_along;
 use crate::output::Output;
-use crate::travel::{Scene, skid};
+use crate::travel::{Followed, skid};
 use crate::uncertainty::beside;
 
 /// The value that a number of the case has in each particle.
@@ -344,9 +344,6 @@ pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 
 /// (m) distance from each observed point to the path.
 fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
-    let Some(way) = input.vehicles[id.index()].as_ref().filter(|way| !way.points.is_empty()) else {
-        return Vec::new();
-    };
-    let passes = Scene::new(&input.surface).passes(id, way, start, WAY_TOLERANCE);
+    let passes = Followed::of(input, id).and_then(|of| of.passes(start, WAY_TOLERANCE).ok());
     passes.unwrap_or_default().iter().map(|pass| pass.miss).collect()
 }

@@ -62,11 +62,6 @@ impl<'a> Subject<'a> {
         format!("{}.{of}", table(self.id))
     }
 
-    /// (–) friction of the ground, if the case gives it.
-    fn ground(self) -> Option<f64> {
-        self.case.surface.as_ref().map(|surface| surface.friction)
-    }
-
     /// (SI) the standard deviation of the range of a number, if it has one: as given, even if the number
     /// cannot be below zero.
     fn sd(self, of: &str) -> Option<f64> {

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use ::estimate::Independent;
-use ::uncertainty::Distribution;
 use ::uncertainty::normal::cumulative;
+use ::uncertainty::{Distribution, InvalidDistribution};
 use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     Amount, Bounds, BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find,
@@ -120,6 +120,9 @@ pub(super) struct Setup {
     pub(super) warnings: Vec<Warning>,
 }
 
+/// A distribution before the evidence, unless its numbers are invalid.
+type CheckedPrior = Result<Distribution, InvalidDistribution>;
+
 /// The unknown numbers, in the order in which they are found.
 #[derive(Default)]
 struct Unknowns(Vec<Before>);
@@ -136,13 +139,12 @@ impl Unknowns {
         self.0.len() - 1
     }
 
-    fn assumed(
-        &mut self,
-        key: &str,
-        prior: Result<Distribution, ::uncertainty::InvalidDistribution>,
-        assumed: Assumed,
-    ) -> Result<usize, Failure> {
+    fn assumed(&mut self, key: &str, prior: CheckedPrior, assumed: Assumed) -> Result<usize, Failure> {
         Ok(self.push(key, None, of_number(key, prior)?, Some(assumed)))
+    }
+
+    fn speed(&mut self, key: &str, prior: CheckedPrior) -> Result<usize, Failure> {
+        self.assumed(key, prior, Assumed::Speed)
     }
 }
 
@@ -533,24 +535,21 @@ fn slots(
     let uses_ground = followed != [false, false] || case.vehicles.iter().any(skids_on_it);
     let mut ground = None;
     let mut drags = [None; 2];
-    let mut slots = Vec::new();
-    for input in case.variables() {
+    let mut slot = |input: &Input| -> Result<Slot, Failure> {
         let range = ranges.next_if(|range| range.input.path == input.path);
         if is_observed(&input.path) {
-            slots.push(Slot::Given);
-            continue;
+            return Ok(Slot::Given);
         }
         if let Some(range) = range {
             let assumed = matches!(input.origin, Origin::Estimate(_)).then_some(Assumed::Estimate);
             let place = unknowns.push(&input.path, input.unit, range.distribution, assumed);
-            slots.push(Slot::Value(place));
-            continue;
+            return Ok(Slot::Value(place));
         }
         // A coefficient of zero is exact.
         if input.number != 0.0
-            && let Some(ln_sd) = coefficient_ln_sd(&input, case)
+            && let Some(ln_sd) = coefficient_ln_sd(input, case)
         {
-            slots.push(if input.number > 0.0 {
+            return Ok(if input.number > 0.0 {
                 let prior = of_number(&input.path, Distribution::log_normal(input.number, ln_sd))?;
                 Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(Assumed::Coefficient)))
             } else {
@@ -558,17 +557,14 @@ fn slots(
                 let (key, factor) = (format!("{}.factor", input.path), Distribution::log_normal(1.0, ln_sd));
                 Slot::Factor(unknowns.assumed(&key, factor, Assumed::Coefficient)?)
             });
-            continue;
         }
-        if let Some((sd, assumed)) = usual_sd(&input, case, nominal) {
+        if let Some((sd, assumed)) = usual_sd(input, case, nominal) {
             let prior = of_number(&input.path, Distribution::normal(input.number, sd / input.factor()))?;
-            slots.push(Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(assumed))));
-            continue;
+            return Ok(Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(assumed))));
         }
         if let Some(id) = VehicleId::ALL.into_iter().find(|id| input.path == skid_friction(*id)) {
             let factor = Distribution::log_normal(1.0, GROUND_LN_SD);
-            slots.push(Slot::Factor(unknowns.assumed(&skid_friction(id), factor, Assumed::Ground)?));
-            continue;
+            return Ok(Slot::Factor(unknowns.assumed(&skid_friction(id), factor, Assumed::Ground)?));
         }
         if is_ground(&input.path) && uses_ground && !has_ground_range {
             let place = match ground {
@@ -579,8 +575,7 @@ fn slots(
                 }
             };
             ground = Some(place);
-            slots.push(Slot::Factor(place));
-            continue;
+            return Ok(Slot::Factor(place));
         }
         let dragged = VehicleId::ALL
             .into_iter()
@@ -594,12 +589,11 @@ fn slots(
                 }
             };
             drags[id.index()] = Some(place);
-            slots.push(Slot::Factor(place));
-            continue;
+            return Ok(Slot::Factor(place));
         }
-        slots.push(Slot::Given);
-    }
-    Ok(slots)
+        Ok(Slot::Given)
+    };
+    case.variables().iter().map(&mut slot).collect()
 }
 
 fn is_ground(path: &str) -> bool {
@@ -698,7 +692,7 @@ fn excludes_standing(told: RecordersSpeed) -> bool {
 
 /// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
 fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
-    let ground = case.surface.as_ref().map(|surface| surface.friction);
+    let ground = case.ground_friction();
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
     let may_move = |id: VehicleId| {
         let vehicle = &case.vehicles[id.index()];
@@ -752,27 +746,26 @@ fn speeds(
     let limits = |id: VehicleId| {
         let vehicle = &case.vehicles[id.index()];
         let [least, most] = certain_limits(vehicle);
-        let fault = |of: &str, reason: String, advice: String| {
-            let kind = FaultKind::Refused { reason };
+        let fault = |of: &str, reason: &str, advice: &str| {
             let key = format!("{}.certain_speed.{of}", table(id));
-            Failure::Case(Fault { key, kind, advice: Some(advice) }.into())
+            Failure::Case(Fault::refused(key, reason, advice).into())
         };
         if let Some(least) = least.filter(|least| *least >= FASTEST_BELIEVED && most.is_none()) {
             return Err(fault(
                 "at_least",
-                format!(
+                &format!(
                     "{:.0} km/h is faster than any speed that is considered: the highest is {:.0} km/h",
                     3.6 * least,
                     3.6 * FASTEST_BELIEVED
                 ),
-                "check its unit".to_owned(),
+                "check its unit",
             ));
         }
         if least.is_none() && most == Some(0.0) {
             return Err(fault(
                 "at_most",
-                "a speed of at most 0 means that the vehicle was stationary or moved backward".to_owned(),
-                format!(
+                "a speed of at most 0 means that the vehicle was stationary or moved backward",
+                &format!(
                     "write speed = \"0 km/h\" in [{}] if it was stationary, and give at_least, such as \
                      \"-20 km/h\", if it moved backward",
                     table(id)
@@ -788,8 +781,7 @@ fn speeds(
         let stood = if least <= 0.0 && most > 0.0 { stood[id.index()] } else { 0.0 };
         // p = w/(w + ∫ e^(−v²/2s²) dv)
         let standing = moving(limits[id.index()], prior) * stood / (1.0 - stood);
-        let place =
-            unknowns.assumed(&key(id), Distribution::uniform(least, most + standing), Assumed::Speed)?;
+        let place = unknowns.speed(&key(id), Distribution::uniform(least, most + standing))?;
         unknowns.0[place].moving = Some(of_number(&key(id), Distribution::uniform(least, most))?);
         Ok::<_, Failure>(Alone { place, standing })
     };
@@ -802,32 +794,14 @@ fn speeds(
             if prior == SeverityPrior::Flat || backward {
                 OpenSpeeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?])
             } else if let Some((vehicle, [least, most])) = narrowest(case) {
-                OpenSpeeds::Together(Speeds::Within {
-                    vehicle,
-                    ln_speed: unknowns.assumed(
-                        &format!("{}.ln_speed", table(vehicle)),
-                        Distribution::uniform(ln(least), ln(most)),
-                        Assumed::Speed,
-                    )?,
-                    split: unknowns.assumed(
-                        "speed_split",
-                        Speeds::split_within(vehicle, least, stood),
-                        Assumed::Speed,
-                    )?,
-                })
+                let key = format!("{}.ln_speed", table(vehicle));
+                let ln_speed = unknowns.speed(&key, Distribution::uniform(ln(least), ln(most)))?;
+                let split = unknowns.speed("speed_split", Speeds::split_within(vehicle, least, stood))?;
+                OpenSpeeds::Together(Speeds::Within { vehicle, ln_speed, split })
             } else {
-                OpenSpeeds::Together(Speeds::Together {
-                    ln_relative: unknowns.assumed(
-                        "ln_relative_speed",
-                        Speeds::any_ln_relative(),
-                        Assumed::Speed,
-                    )?,
-                    split: unknowns.assumed(
-                        "speed_split",
-                        Speeds::split_with_standing(stood),
-                        Assumed::Speed,
-                    )?,
-                })
+                let ln_relative = unknowns.speed("ln_relative_speed", Speeds::any_ln_relative())?;
+                let split = unknowns.speed("speed_split", Speeds::split_with_standing(stood))?;
+                OpenSpeeds::Together(Speeds::Together { ln_relative, split })
             }
         }
     })

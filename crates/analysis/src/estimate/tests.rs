@@ -1156,17 +1156,18 @@ fn the_motion_needs_no_more_of_the_case() {
 /// long steps of a particle.
 #[test]
 fn a_mark_is_sought_between_the_steps() {
-    use crate::travel::Scene;
+    use crate::travel::Followed;
     let text = at_rest(REST)
         .replace("rest = {", "points = [{ x = \"6 m\", y = \"0 m\", wheel = \"front left\" }]\nrest = {");
     let case = read(&text);
-    let input = case.run_out().unwrap().unwrap();
-    let (id, scene) = (VehicleId::Two, Scene::new(&input.surface));
-    let mut way = input.vehicles[id.index()].clone().unwrap();
+    let mut input = case.run_out().unwrap().unwrap();
+    let id = VehicleId::Two;
     let start = pim_core::Motion { velocity: pim_core::Vector2::new(9.0, 4.0), yaw_rate: 5.0 };
     let close = trajectory::Control { tolerance: 1e-8, longest_step: 0.005, ..Default::default() };
     let mut states = Vec::new();
-    scene.to_rest(id, &way, start, &close, |sample| states.push(sample.state)).unwrap();
+    let of = Followed::of(&input, id).unwrap();
+    of.to_rest(start, &close, |sample| states.push(sample.state)).unwrap();
+    let way = input.vehicles[id.index()].as_mut().unwrap();
     let wheel = way.chassis.wheels()[way.points[0].wheel.unwrap() as usize];
     way.points = states
         .iter()
@@ -1179,7 +1180,7 @@ fn a_mark_is_sought_between_the_steps() {
         })
         .collect();
     assert!(way.points.len() >= 40);
-    let passes = scene.passes(id, &way, start, impacts::WAY_TOLERANCE).unwrap();
+    let passes = Followed::of(&input, id).unwrap().passes(start, impacts::WAY_TOLERANCE).unwrap();
     let worst = passes.iter().map(|pass| pass.miss).fold(0.0, f64::max);
     assert!(worst < 0.03, "{worst}");
 }

@@ -1,14 +1,9 @@
 //! `[vehicleN.before]` and `[vehicleN.after]`: the motion before and after the impact.
 
-use toml::Spanned;
-
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
-use crate::case_problem::CaseProblem;
-use crate::nearest::nearest;
 use crate::node::Node;
-use crate::quantity::shorten;
-use crate::schema::{AFTER, BEFORE, MOST_ZONES, PHASE, POINT, REST, SKID, STEER, WHEELS};
+use crate::schema::{MOST_ZONES, WHEELS};
 use inputs::{
     After, Before, Drag, GivenPhase, GivenRest, GivenSteer, MarkedWheel, PathPoint, PhaseForm, Place,
     RestHeading, Skid, SkidBegin, SteerPoint, WheelDrag,
@@ -19,7 +14,7 @@ const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right,
 
 impl<'t> Reader<'t> {
     pub(super) fn before(&mut self, vehicle: &Table<'t>) -> Option<Before> {
-        let table = self.child(vehicle, "before", &BEFORE)?;
+        let table = self.child(vehicle, "before")?;
         let phases = self.phases(&table);
         if !table.has("phase") {
             self.require(&table, &["skid"]);
@@ -38,7 +33,7 @@ impl<'t> Reader<'t> {
     fn phases(&mut self, before: &Table<'t>) -> Vec<GivenPhase> {
         const FORMS: &str =
             "a table [[vehicle1.before.phase]] with two of distance, time, speed and acceleration";
-        let tables = self.tables(before, "phase", &PHASE, FORMS, MOST_ZONES).unwrap_or_default();
+        let tables = self.tables(before, "phase", FORMS, MOST_ZONES).unwrap_or_default();
         let phase = |table: &Table<'t>| {
             self.not_empty(table, FORMS);
             let [distance, time, speed, acceleration] =
@@ -53,7 +48,7 @@ impl<'t> Reader<'t> {
 
     fn skid(&mut self, before: &Table<'t>) -> Option<Skid> {
         const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 } or skid = { from = { x = \"18 m\", y = \"15 m\" }, friction = 0.7 }";
-        let skid = self.inline(before, "skid", &SKID, "a table in braces", FORMS)?;
+        let skid = self.inline(before, "skid", FORMS)?;
         let length = self.quantity(&skid, "length");
         let from = self.place_of(&skid, "from");
         let friction = self.number(&skid, "friction");
@@ -71,7 +66,7 @@ impl<'t> Reader<'t> {
 
     /// Reads the table; one without a key counts as absent.
     pub(super) fn after(&mut self, vehicle: &Table<'t>) -> Option<After> {
-        let table = self.child(vehicle, "after", &AFTER)?;
+        let table = self.child(vehicle, "after")?;
         let after = After {
             friction: self.number(&table, "friction"),
             drag: self.drag(&table),
@@ -92,17 +87,13 @@ impl<'t> Reader<'t> {
     }
 
     fn drag(&mut self, after: &Table<'t>) -> Option<Drag> {
-        let value = after.get("drag")?;
-        let place = Position::of_key(after, "drag");
-        let Some(list) = value.get_ref().as_array() else {
-            return self.wheel_drag(after, &place, value).map(Drag::Every);
+        let place = Position::of_key(after, "drag")?;
+        let Some(list) = place.node().as_array() else {
+            return self.wheel_drag(after, &place).map(Drag::Every);
         };
         // Every wheel is read before the first fault ends it.
-        let wheels: Vec<Option<WheelDrag>> = list
-            .iter()
-            .enumerate()
-            .map(|(index, value)| self.wheel_drag(after, &place.element(index), value))
-            .collect();
+        let wheel = |(index, value)| self.wheel_drag(after, &place.element(index, value));
+        let wheels: Vec<Option<WheelDrag>> = list.iter().enumerate().map(wheel).collect();
         let Ok(wheels) = <[Option<WheelDrag>; WHEELS]>::try_from(wheels) else {
             let message = format!("{} has {} values, but a vehicle has four wheels", place.name, list.len());
             return self.refuse(&place.path, message, &format!("write {DRAGS}"));
@@ -113,27 +104,11 @@ impl<'t> Reader<'t> {
         Some(Drag::Each([front_left, front_right, rear_left, rear_right]))
     }
 
-    fn wheel_drag(
-        &mut self,
-        after: &Table<'t>,
-        place: &Position,
-        value: &'t Spanned<Node<'t>>,
-    ) -> Option<WheelDrag> {
-        let Node::String(word) = value.get_ref() else {
-            let bounds = after.bounds("drag")?;
-            return self.number_at(place, "drag", value, bounds).map(WheelDrag::Share);
-        };
-        if let Some((_, drag)) = WheelDrag::WORDS.iter().find(|(name, _)| name == word) {
-            return Some(*drag);
+    fn wheel_drag(&mut self, after: &Table<'t>, place: &Position<'t>) -> Option<WheelDrag> {
+        match place.node() {
+            Node::String(word) => self.word(place.value, place.path.clone(), word, &WheelDrag::WORDS, DRAGS),
+            _ => self.number_at(place, "drag", after.bounds("drag")?).map(WheelDrag::Share),
         }
-        let problem = CaseProblem::UnknownChoice {
-            path: place.path.clone(),
-            word: shorten(word),
-            nearest: nearest(word, WheelDrag::WORDS.iter().map(|(name, _)| *name)),
-            choices: DRAGS.to_owned(),
-        };
-        self.report(value.span(), problem);
-        None
     }
 
     fn steer(&mut self, after: &Table<'t>) -> Option<GivenSteer> {
@@ -142,7 +117,7 @@ impl<'t> Reader<'t> {
         if !value.get_ref().is_array() {
             return self.quantity(after, "steer").map(GivenSteer::Held);
         }
-        let tables = self.tables(after, "steer", &STEER, FORMS, MOST_ZONES)?;
+        let tables = self.tables(after, "steer", FORMS, MOST_ZONES)?;
         if tables.is_empty() {
             let path = after.path_of("steer");
             let help = format!("write {FORMS}, or leave it out if the wheels are straight");
@@ -152,8 +127,7 @@ impl<'t> Reader<'t> {
             .iter()
             .map(|table| {
                 self.require(table, &["time", "angle"]);
-                let time = self.quantity(table, "time");
-                let angle = self.quantity(table, "angle");
+                let [time, angle] = ["time", "angle"].map(|key| self.quantity(table, key));
                 Some(SteerPoint { time: time?, angle: angle? })
             })
             .collect();
@@ -180,7 +154,7 @@ impl<'t> Reader<'t> {
     fn rest(&mut self, after: &Table<'t>) -> Option<GivenRest> {
         const FORMS: &str = "rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }, or turned = \"-220 deg\" in place of heading, if it is \
                              known which way and how often it turned";
-        let table = self.inline(after, "rest", &REST, "a table in braces", FORMS)?;
+        let table = self.inline(after, "rest", FORMS)?;
         let [x, y, heading, turned] = ["x", "y", "heading", "turned"].map(|key| self.quantity(&table, key));
         let heading = match table.given(&["x", "y", "heading", "turned"])[..] {
             ["x", "y", "heading"] => RestHeading::Heading(heading?),
@@ -192,7 +166,7 @@ impl<'t> Reader<'t> {
 
     fn points(&mut self, after: &Table<'t>) -> Vec<PathPoint> {
         const FORMS: &str = "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]";
-        let tables = self.tables(after, "points", &POINT, FORMS, MOST_ZONES).unwrap_or_default();
+        let tables = self.tables(after, "points", FORMS, MOST_ZONES).unwrap_or_default();
         tables
             .iter()
             .filter_map(|table| {

@@ -2,7 +2,7 @@
 
 use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
-use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
+use crate::schema::MOST_ZONES;
 use inputs::{
     Avoid, Clear, GivenDemand, GivenSight, GivenWayOut, Obstacle, OtherApproach, OtherParty, SUBJECTS,
     SWELLS, Text,
@@ -32,7 +32,7 @@ impl<'t> Reader<'t> {
     fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
         const PATH: &str =
             "[{ x = \"-30 m\", y = \"0 m\" }, { x = \"-8 m\", y = \"0 m\" }, { x = \"-3 m\", y = \"3 m\" }]";
-        let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
+        let Some(table) = self.child(avoid, "sight") else { return GivenSight::default() };
         self.not_both(&table, "heading", "path");
         self.not_both(&table, "other_heading", "other_path");
         GivenSight {
@@ -48,7 +48,7 @@ impl<'t> Reader<'t> {
 
     fn obstacles(&mut self, avoid: &Table<'t>) -> Vec<Obstacle> {
         const FORMS: &str = "a table [[avoid.obstacle]] with polygon";
-        let tables = self.tables(avoid, "obstacle", &OBSTACLE, FORMS, MOST_ZONES).unwrap_or_default();
+        let tables = self.tables(avoid, "obstacle", FORMS, MOST_ZONES).unwrap_or_default();
         tables.iter().filter_map(|table| self.obstacle(table)).collect()
     }
 
@@ -61,7 +61,7 @@ impl<'t> Reader<'t> {
     fn demand(&mut self, avoid: &Table<'t>) -> (Option<GivenDemand>, Option<Text>) {
         const FORMS: &str = "demand = { distance = \"30 m\" }, { time = \"2.1 s\" }, { other = { distance = \"4 m\", speed = \"1.5 m/s\" } } or { sight = true }";
         const OTHER: &str = "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } } or, from a stop, other = { distance = \"8 m\", acceleration = \"1.5 m/s^2\" }";
-        let Some(table) = self.inline(avoid, "demand", &AVOID_DEMAND, "a table in braces", FORMS) else {
+        let Some(table) = self.inline(avoid, "demand", FORMS) else {
             return (None, None);
         };
         let reason = self.text(&table, "reason");
@@ -73,7 +73,7 @@ impl<'t> Reader<'t> {
             ["distance"] => distance.map(GivenDemand::Distance),
             ["time"] => time.map(GivenDemand::Time),
             ["other"] => {
-                self.inline(&table, "other", &AVOID_OTHER, "a table in braces", OTHER).and_then(|other| {
+                self.inline(&table, "other", OTHER).and_then(|other| {
                     self.require(&other, &["distance"]);
                     let [distance, speed, acceleration] =
                         ["distance", "speed", "acceleration"].map(|key| self.sourced(&other, key));
@@ -90,7 +90,7 @@ impl<'t> Reader<'t> {
 
     fn clear(&mut self, avoid: &Table<'t>) -> Option<Clear> {
         const FORMS: &str = "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" } or, of two vehicles, clear = { outlines = true }";
-        let table = self.inline(avoid, "clear", &AVOID_CLEAR, "a table in braces", FORMS)?;
+        let table = self.inline(avoid, "clear", FORMS)?;
         let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&table, key));
         let is_by_outlines = self.flag(&table, "outlines");
         let way = match table.given(&["distance", "outlines"])[..] {

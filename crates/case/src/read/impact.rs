@@ -4,7 +4,7 @@ use super::range::is_range;
 use super::tree::{Reader, Table};
 use super::values::named;
 use crate::case_problem::{CaseProblem, RESTITUTION_FORMS};
-use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
+use crate::schema::{KeysOfLaw, laws_of_key};
 use inputs::{BrachTangential, GivenImpact, ImpactLaw, LawName, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
@@ -84,7 +84,7 @@ impl<'t> Reader<'t> {
             return self.number(impact, "restitution").map(Restitution::Constant);
         }
         let wanted = "a plain number, or a table of speeds and values";
-        let table = self.inline(impact, "restitution", &RESTITUTION, wanted, RESTITUTION_FORMS)?;
+        let table = self.inline_or(impact, "restitution", wanted, RESTITUTION_FORMS)?;
         let speeds = self.quantities(&table, "speeds");
         let values = self.numbers(&table, "values");
         if table.given(&["speeds", "values"]).len() < 2 {
@@ -127,8 +127,7 @@ impl<'t> Reader<'t> {
         if impact.is_string("tangential") {
             return self.choice_among(impact, "tangential", &BrachTangential::WORDS, FORMS);
         }
-        let table =
-            self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
+        let table = self.inline_or(impact, "tangential", "\"critical\" or a table in braces", FORMS)?;
         match table.given(&["ratio", "fraction", "friction"])[..] {
             ["ratio"] => self.number(&table, "ratio").map(BrachTangential::Ratio),
             ["fraction"] => self.number(&table, "fraction").map(BrachTangential::FractionOfCritical),

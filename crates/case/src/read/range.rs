@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use toml::Spanned;
 
-use super::tree::{Reader, Table, kind};
+use super::tree::{Reader, Table};
 use super::values::{Place, accepts, named, words};
 use crate::case_problem::CaseProblem;
 use crate::node::Node;
@@ -48,59 +48,40 @@ impl<'t> Reader<'t> {
         if !is_range(table, key) {
             return Some(());
         }
-        let problem = CaseProblem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
-        self.report(value.span(), problem);
-        None
+        let (path, example) = (table.path_of(key), table.schema.example(key));
+        self.unread(value, CaseProblem::NoRange { path, example })
     }
 
     /// Reads a range, and returns its central value.
-    pub(super) fn range_of_quantity(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        measure: Measure,
-    ) -> Option<Quantity> {
-        let table = self.range_table(place, value, &RANGE)?;
-        let (central, spread) = self.range(&table, place, value, Kind::Quantity(measure))?;
-        let unit = central.unit?;
-        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
-        Quantity::new(central.number, unit).ok()
+    pub(super) fn range_of_quantity(&mut self, place: &Place<'t>, measure: Measure) -> Option<Quantity> {
+        let table = self.range_table(place, &RANGE)?;
+        let central = self.range(&table, place, Kind::Quantity(measure))?;
+        Quantity::new(central.number, central.unit?).ok()
     }
 
     /// Reads a range, and returns its central value.
-    pub(super) fn range_of_number(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        bounds: Bounds,
-    ) -> Option<f64> {
-        let table = self.range_table(place, value, &RANGE)?;
-        let (central, spread) = self.range(&table, place, value, Kind::Number(bounds))?;
-        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds });
-        Some(central.number)
+    pub(super) fn range_of_number(&mut self, place: &Place<'t>, bounds: Bounds) -> Option<f64> {
+        let table = self.range_table(place, &RANGE)?;
+        Some(self.range(&table, place, Kind::Number(bounds))?.number)
     }
 
     /// Reads a quantity with its source, whether it is a range or not.
     pub(super) fn sourced(&mut self, table: &Table<'t>, key: &'static str) -> Option<Sourced> {
-        let (measure, value) = (table.measure(key)?, table.get(key)?);
-        let place = Place::of_key(table, key);
-        if !value.get_ref().is_table() {
-            let wanted = "a string with a number and a unit";
-            let quantity = self.certain_quantity(&place, value, measure, wanted)?;
+        let (measure, place) = (table.measure(key)?, Place::of_key(table, key)?);
+        if !place.node().is_table() {
+            let quantity = self.certain_quantity(&place, measure, "a string with a number and a unit")?;
             return Some(Sourced { quantity, source: None });
         }
-        let range = self.range_table(&place, value, &SOURCED_RANGE)?;
+        let range = self.range_table(&place, &SOURCED_RANGE)?;
         let source = self.text(&range, "source");
         let kind = Kind::Quantity(measure);
-        if let ["value", "source"] =
+        let central = if let ["value", "source"] =
             range.given(&["value", "source", "sd", "low", "mode", "high", "within", "confidence"])[..]
         {
-            let central = self.amount(&range, "value", kind)?;
-            let quantity = Quantity::new(central.number, central.unit?).ok()?;
-            return Some(Sourced { quantity, source });
-        }
-        let (central, spread) = self.range(&range, &place, value, kind)?;
-        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
+            self.amount(&range, "value", kind)?
+        } else {
+            self.range(&range, &place, kind)?
+        };
         let quantity = Quantity::new(central.number, central.unit?).ok()?;
         Some(Sourced { quantity, source })
     }
@@ -108,15 +89,14 @@ impl<'t> Reader<'t> {
     /// Reads several numbers with one spread, and returns their central values.
     pub(super) fn range_of_quantities(
         &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         measure: Measure,
     ) -> Option<Vec<Quantity>> {
-        let table = self.range_table(place, value, &RANGE_OF_LIST)?;
+        let table = self.range_table(place, &RANGE_OF_LIST)?;
         let kind = Kind::Quantity(measure);
-        let values = table.get("values").and_then(|list| {
-            let place = Place { example: place.example, ..Place::of_key(&table, "values") };
-            self.certain_quantities(&place, list, measure).map(|values| (list, values))
+        let values = Place::of_key(&table, "values").and_then(|list| {
+            let list = Place { example: place.example, ..list };
+            self.certain_quantities(&list, measure).map(|values| (list.value, values))
         });
         let spread = self.spread_about(&table, kind);
         let is_complete = matches!(
@@ -124,7 +104,7 @@ impl<'t> Reader<'t> {
             ["values", "sd"] | ["values", "within", "confidence"]
         );
         if !is_complete {
-            return self.no_range(&table, value, LIST_FORMS);
+            return self.no_range(&table, place.value, LIST_FORMS);
         }
         let ((list, values), spread) = (values?, spread?);
         // Found once for all values, as a text has to be read from its beginning.
@@ -141,44 +121,36 @@ impl<'t> Reader<'t> {
     }
 
     /// A list without ranges in it.
-    fn certain_quantities(
-        &mut self,
-        place: &Place,
-        list: &'t Spanned<Node<'t>>,
-        measure: Measure,
-    ) -> Option<Vec<Quantity>> {
-        let nested =
-            list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
-        if let Some(nested) = nested {
+    fn certain_quantities(&mut self, place: &Place<'t>, measure: Measure) -> Option<Vec<Quantity>> {
+        let list = place.node().as_array();
+        if let Some(nested) = list.and_then(|list| list.iter().find(|one| one.get_ref().is_table())) {
             let wanted = "a list of strings, because the spread next to it applies to all";
-            let found = kind(nested.get_ref());
             let example = RANGE_OF_LIST.example("values");
-            self.report(
-                nested.span(),
-                CaseProblem::WrongType { path: place.path.clone(), found, wanted, example },
-            );
-            return None;
+            return self.wrong_type(nested, place.path.clone(), wanted, example);
         }
-        self.listed_quantities(place, list, measure)
+        self.listed_quantities(place, measure)
     }
 
-    fn range_table(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        schema: &'static Schema,
-    ) -> Option<Table<'t>> {
-        let entries = value.get_ref().as_table()?;
+    fn range_table(&mut self, place: &Place<'t>, schema: &'static Schema) -> Option<Table<'t>> {
+        let entries = place.node().as_table()?;
         Some(self.open(place.path.clone(), entries, schema))
     }
 
-    fn range(
+    /// Records a range, and returns its central value.
+    fn range(&mut self, table: &Table<'t>, place: &Place<'t>, kind: Kind) -> Option<Amount> {
+        let (central, spread) = self.central_and_spread(table, place, kind)?;
+        let (Kind::Quantity(Measure { bounds, .. }) | Kind::Number(bounds)) = kind;
+        self.add_range(place.value.span(), Range { path: place.path.clone(), spread, bounds });
+        Some(central)
+    }
+
+    fn central_and_spread(
         &mut self,
         table: &Table<'t>,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         kind: Kind,
     ) -> Option<(Amount, Spread)> {
+        let value = place.value;
         let central = self.amount(table, "value", kind);
         let spread = self.spread_about(table, kind);
         let [low, mode, high] = ["low", "mode", "high"].map(|key| self.amount(table, key, kind));
@@ -190,14 +162,14 @@ impl<'t> Reader<'t> {
             }
             ["low", "high"] => {
                 let (low, high) = (low?, high?);
-                self.rising(place, value, low, high)?;
+                self.rising(place, low, high)?;
                 // The middle, in the unit of the low end: (a + b)/2
                 let number = decimal(0.5 * low.number + 0.5 * high.in_unit(low.unit));
                 Some((Amount { number, ..low }, Spread::Uniform { low, high }))
             }
             ["low", "mode", "high"] => {
                 let (low, mode, high) = (low?, mode?, high?);
-                self.rising(place, value, low, high)?;
+                self.rising(place, low, high)?;
                 if !(low.in_unit(mode.unit)..=high.in_unit(mode.unit)).contains(&mode.number) {
                     let path = place.name.clone();
                     self.report_path(
@@ -213,18 +185,11 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn rising(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        low: Amount,
-        high: Amount,
-    ) -> Option<()> {
+    fn rising(&mut self, place: &Place<'t>, low: Amount, high: Amount) -> Option<()> {
         if low.in_unit(high.unit) < high.number && low.number < high.in_unit(low.unit) {
             return Some(());
         }
-        self.report(value.span(), CaseProblem::NotRising { path: place.name.clone(), low, high });
-        None
+        self.unread(place.value, CaseProblem::NotRising { path: place.name.clone(), low, high })
     }
 
     fn not_within_zero(
@@ -257,34 +222,26 @@ impl<'t> Reader<'t> {
 
     /// One number of a range.
     fn amount(&mut self, table: &Table<'t>, key: &'static str, range: Kind) -> Option<Amount> {
-        let value = table.get(key)?;
-        let place = Place::of_key(table, key);
-        if value.get_ref().is_table() {
-            let found = kind(value.get_ref());
-            let problem =
-                CaseProblem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
-            self.report(value.span(), problem);
-            return None;
+        let place = Place::of_key(table, key)?;
+        if place.node().is_table() {
+            return self.wrong_type(place.value, place.path, "a single value", FORMS);
         }
         match range {
             Kind::Quantity(Measure { dimension, .. })
-                if matches!(value.get_ref(), Node::Number(_) | Node::NotDecimal) =>
+                if matches!(place.node(), Node::Number(_) | Node::NotDecimal) =>
             {
-                let number = self.written(value);
+                let number = self.written(place.value);
                 let unit = self.units_in_use().example(&place.path, dimension);
                 let units = unit.map_or_else(|| usual_units(dimension), |unit| vec![unit]);
                 let examples: Vec<String> =
                     units.iter().map(|unit| format!("{key} = \"{number} {unit}\"")).collect();
                 let example = examples.join(" or ");
-                self.report(
-                    value.span(),
-                    CaseProblem::BareNumber { path: place.path, number, dimension, example },
-                );
-                None
+                let path = place.path;
+                self.unread(place.value, CaseProblem::BareNumber { path, number, dimension, example })
             }
             Kind::Quantity(measure) => {
                 let wanted = "a string with a number and a unit";
-                let quantity = self.certain_quantity(&place, value, measure, wanted)?;
+                let quantity = self.certain_quantity(&place, measure, wanted)?;
                 Some(Amount { number: quantity.number(), unit: Some(quantity.unit()) })
             }
             Kind::Number(bounds) => {
@@ -295,7 +252,7 @@ impl<'t> Reader<'t> {
                     _ => "{ value = 0.3, sd = 0.05 }",
                 };
                 let place = Place { example, ..place };
-                let number = self.certain_number(&place, key, value, words(bounds), accepted)?;
+                let number = self.certain_number(&place, key, words(bounds), accepted)?;
                 Some(Amount { number, unit: None })
             }
         }
@@ -327,10 +284,9 @@ impl<'t> Reader<'t> {
         };
         let sd = self.standard_deviation(table, deviation).map(|sd| Spread::Normal { sd });
         let percent = self.percent(table, "within");
-        let confidence = table.get("confidence").and_then(|value| {
-            let place = Place::of_key(table, "confidence");
+        let confidence = Place::of_key(table, "confidence").and_then(|place| {
             let inside = |number: f64| 0.0 < number && number < 1.0;
-            self.certain_number(&place, "confidence", value, "greater than 0 and less than 1", inside)
+            self.certain_number(&place, "confidence", "greater than 0 and less than 1", inside)
         });
         let within = percent.zip(confidence);
         sd.or(within.map(|(percent, confidence)| Spread::Within { percent, confidence }))
@@ -340,9 +296,8 @@ impl<'t> Reader<'t> {
         let value = table.get("sd")?;
         match value.get_ref() {
             Node::String(text) if text.trim_end().ends_with('%') => {
-                let path = named(&table.path_of("sd"));
-                self.report(value.span(), CaseProblem::PercentAsSd { path, text: shorten(text.trim()) });
-                None
+                let (path, text) = (named(&table.path_of("sd")), shorten(text.trim()));
+                self.unread(value, CaseProblem::PercentAsSd { path, text })
             }
             _ => self.amount(table, "sd", kind),
         }
@@ -368,31 +323,22 @@ impl<'t> Reader<'t> {
     ) -> Option<f64> {
         let value = table.get(key)?;
         let (path, example) = (table.path_of(key), table.schema.example(key));
-        let problem = match value.get_ref() {
+        let text = match value.get_ref() {
             Node::String(text) => match split_number(text.trim()) {
                 (Some(number), rest) if rest.trim() == "%" && number.is_finite() => {
                     if holds(number) {
                         return Some(number);
                     }
-                    CaseProblem::OutOfRange {
-                        path: named(&path),
-                        value: number,
-                        range: range.into(),
-                        example,
-                    }
+                    let (path, range) = (named(&path), range.into());
+                    return self
+                        .unread(value, CaseProblem::OutOfRange { path, value: number, range, example });
                 }
-                _ => CaseProblem::NotPercent { path: named(&path), text: shorten(text) },
+                _ => shorten(text),
             },
-            Node::Number(_) | Node::NotDecimal => {
-                let text = self.written(value);
-                CaseProblem::NotPercent { path: named(&path), text }
-            }
-            other => {
-                CaseProblem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
-            }
+            Node::Number(_) | Node::NotDecimal => self.written(value),
+            _ => return self.wrong_type(value, path, "a percentage in quotes", example),
         };
-        self.report(value.span(), problem);
-        None
+        self.unread(value, CaseProblem::NotPercent { path: named(&path), text })
     }
 }
 

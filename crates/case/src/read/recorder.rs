@@ -7,9 +7,7 @@ use recorder::{Channel, TextRefusal};
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{
-    CERTAIN_SPEED, KEYS_OF_RECORD, OTHER_IMPACT, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_ERRORS, Schema,
-};
+use crate::schema::KEYS_OF_RECORD;
 use crate::source::span_in_text;
 use inputs::{
     CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, OtherImpact, Quantity, Recorder,
@@ -57,9 +55,9 @@ const CERTAIN: &str =
 impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
-        let table = self.child(vehicle, "recorder", &RECORDER)?;
+        let table = self.child(vehicle, "recorder")?;
         let at = self.place_of(&table, "at");
-        let errors = self.child(&table, "errors", &RECORDER_ERRORS);
+        let errors = self.child(&table, "errors");
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
         let other_impacts = self.other_impacts(&table);
@@ -71,7 +69,7 @@ impl<'t> Reader<'t> {
     fn records(&mut self, recorder: &Table<'t>) -> Vec<StoredRecord> {
         const FORMS: &str =
             "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]";
-        let Some(tables) = self.tables(recorder, "records", &RECORD, FORMS, MOST_RECORDS) else {
+        let Some(tables) = self.tables(recorder, "records", FORMS, MOST_RECORDS) else {
             return Vec::new();
         };
         for key in recorder.given(&KEYS_OF_RECORD) {
@@ -103,7 +101,7 @@ impl<'t> Reader<'t> {
     fn other_impacts(&mut self, recorder: &Table<'t>) -> Vec<OtherImpact> {
         const FORMS: &str =
             "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]";
-        let tables = self.tables(recorder, "other_impacts", &OTHER_IMPACT, FORMS, MOST_RECORDS);
+        let tables = self.tables(recorder, "other_impacts", FORMS, MOST_RECORDS);
         let other = |table: &Table<'t>| {
             self.require(table, &["when"]);
             if table.given(&["pdof", "delta_v"]).is_empty() {
@@ -127,9 +125,9 @@ impl<'t> Reader<'t> {
         let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate, yaw_rate_error] =
             ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "yaw_rate", "yaw_rate_error"]
                 .map(|key| self.exact_quantity(table, key, EXACT));
-        let speed = table.get("speed").zip(table.measure("speed")).and_then(|(value, measure)| {
-            self.certain_quantity(&Position::of_key(table, "speed"), value, measure.positive(STOOD), EXACT)
-        });
+        let speed = Position::of_key(table, "speed").zip(table.measure("speed"));
+        let speed =
+            speed.and_then(|(place, measure)| self.certain_quantity(&place, measure.positive(STOOD), EXACT));
         let [delta_v_error, speed_error] =
             ["delta_v_error", "speed_error"].map(|key| self.percent(table, key));
         let needs = [
@@ -142,8 +140,8 @@ impl<'t> Reader<'t> {
                 self.missing(table, needed);
             }
         }
-        let pre_crash = self.series(table, "pre_crash", &PRE_CRASH, &BEFORE_IMPACT, PRE_CRASH_FORMS);
-        let pulse = self.series(table, "pulse", &PULSE, &DURING_IMPACT, PULSE_FORMS);
+        let pre_crash = self.series(table, "pre_crash", &BEFORE_IMPACT, PRE_CRASH_FORMS);
+        let pulse = self.series(table, "pulse", &DURING_IMPACT, PULSE_FORMS);
         let excluded = [
             (
                 "pre_crash",
@@ -211,11 +209,10 @@ impl<'t> Reader<'t> {
         &mut self,
         recorder: &Table<'t>,
         key: &'static str,
-        schema: &'static Schema,
         columns: &[Channel],
         forms: &'static str,
     ) -> Option<Arc<GivenSeries<R>>> {
-        let table = self.inline(recorder, key, schema, "a table in braces", forms)?;
+        let table = self.inline(recorder, key, forms)?;
         let source = self.series_source(&table, columns, forms)?;
         let rows = self.text(&table, "rows");
         match GivenSeries::read(source, rows) {
@@ -272,7 +269,7 @@ impl<'t> Reader<'t> {
     pub(super) fn certain_speed(&mut self, vehicle: &Table<'t>) -> Option<CertainSpeed> {
         const FORMS: &str =
             "certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }, or one of these alone";
-        let table = self.inline(vehicle, "certain_speed", &CERTAIN_SPEED, "a table in braces", FORMS)?;
+        let table = self.inline(vehicle, "certain_speed", FORMS)?;
         let [at_least, at_most] =
             ["at_least", "at_most"].map(|key| self.exact_quantity(&table, key, CERTAIN));
         if table.given(&["at_least", "at_most"]).is_empty() {

@@ -4,7 +4,7 @@ use std::path::{Component, Path};
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
-use crate::schema::{CORNER, Form, GRADE, KeyInfo, MOST_ZONES, SITE_PLAN, SURFACE_ZONE};
+use crate::schema::{Form, MOST_ZONES};
 use inputs::{Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone};
 
 /// Error text for a range where none is allowed.
@@ -45,7 +45,7 @@ impl<'t> Reader<'t> {
         if !scene.has("site_plan") {
             return Some(None);
         }
-        let table = self.inline(scene, "site_plan", &SITE_PLAN, "a table in braces", FORMS)?;
+        let table = self.inline(scene, "site_plan", FORMS)?;
         self.require(&table, &["file", "corner", "width"]);
         let file = self.text(&table, "file");
         let corner = self.place_of(&table, "corner");
@@ -69,10 +69,7 @@ impl<'t> Reader<'t> {
 
     /// The point under a key.
     pub(super) fn place_of(&mut self, parent: &Table<'t>, key: &'static str) -> Option<Place> {
-        let &KeyInfo { form: Form::Table(schema), example, .. } = parent.schema.key(key)? else {
-            return None;
-        };
-        let table = self.inline(parent, key, schema, "a table in braces", example)?;
+        let table = self.inline(parent, key, parent.schema.example(key))?;
         self.place(&table)
     }
 
@@ -97,7 +94,7 @@ impl<'t> Reader<'t> {
     fn grade(&mut self, surface: &Table<'t>) -> Option<Grade> {
         const FORMS: &str =
             "grade = { slope = 0.03, uphill = \"90 deg\" }, which rises by 3 % in that direction";
-        let table = self.inline(surface, "grade", &GRADE, "a table in braces", FORMS)?;
+        let table = self.inline(surface, "grade", FORMS)?;
         self.require(&table, &["slope", "uphill"]);
         let slope = self.number(&table, "slope");
         let uphill = self.quantity(&table, "uphill");
@@ -107,7 +104,7 @@ impl<'t> Reader<'t> {
     fn surface_zones(&mut self, surface: &Table<'t>) -> Option<Vec<SurfaceZone>> {
         const FORMS: &str =
             "a table [[surface.zone]] with friction and polygon, or with friction, edge and side";
-        let tables = self.tables(surface, "zone", &SURFACE_ZONE, FORMS, MOST_ZONES)?;
+        let tables = self.tables(surface, "zone", FORMS, MOST_ZONES)?;
         // Every zone is read before the first fault ends it.
         let zones: Vec<Option<SurfaceZone>> = tables.iter().map(|table| self.surface_zone(table)).collect();
         zones.into_iter().collect()
@@ -144,7 +141,7 @@ impl<'t> Reader<'t> {
         key: &'static str,
         forms: &'static str,
     ) -> Option<Vec<Place>> {
-        let tables = self.tables(table, key, &CORNER, forms, MOST_ZONES)?;
+        let tables = self.tables(table, key, forms, MOST_ZONES)?;
         let places: Vec<Option<Place>> = tables.iter().map(|table| self.place(table)).collect();
         places.into_iter().collect()
     }
@@ -155,9 +152,7 @@ impl<'t> Reader<'t> {
         key: &'static str,
         wanted: &'static str,
     ) -> Option<Quantity> {
-        let (value, measure) = (table.get(key)?, table.measure(key)?);
-        let place = Position::of_key(table, key);
-        self.certain_quantity(&place, value, measure, wanted)
+        self.certain_quantity(&Position::of_key(table, key)?, table.measure(key)?, wanted)
     }
 
     fn edge(&mut self, zone: &Table<'t>, edge: &[Place]) -> Option<[Place; 2]> {

@@ -46,6 +46,11 @@ impl<'t> Table<'t> {
         self.entries.get(key)
     }
 
+    /// The value of a key, and the table that it may be, or of which it may be a list.
+    fn table_of(&self, key: &str) -> Option<(&'t Spanned<Node<'t>>, &'static Schema)> {
+        Some((self.get(key)?, self.schema.key(key)?.form.table()?))
+    }
+
     /// The measure in the row of a key.
     pub(super) fn measure(&self, key: &str) -> Option<Measure> {
         let row = self.schema.key(key)?;
@@ -134,6 +139,24 @@ impl<'t> Reader<'t> {
         self.problems.push(Diagnostic::new(Some(span), problem));
     }
 
+    /// Reports what is wrong with a value, which is then not read.
+    pub(super) fn unread<T>(&mut self, value: &Spanned<Node<'_>>, problem: CaseProblem) -> Option<T> {
+        self.report(value.span(), problem);
+        None
+    }
+
+    /// Reports a value of the wrong type.
+    pub(super) fn wrong_type<T>(
+        &mut self,
+        value: &Spanned<Node<'_>>,
+        path: String,
+        wanted: &'static str,
+        example: &'static str,
+    ) -> Option<T> {
+        let found = kind(value.get_ref());
+        self.unread(value, CaseProblem::WrongType { path, found, wanted, example })
+    }
+
     /// Whether the file has this key.
     pub(super) fn says(&self, path: &str) -> bool {
         self.spans.get(path).is_some()
@@ -172,19 +195,13 @@ impl<'t> Reader<'t> {
     }
 
     /// A table below another; absent tables and wrong types are `None`, and the latter are reported.
-    pub(super) fn child(
-        &mut self,
-        parent: &Table<'t>,
-        key: &'static str,
-        schema: &'static Schema,
-    ) -> Option<Table<'t>> {
-        let value = parent.get(key)?;
+    pub(super) fn child(&mut self, parent: &Table<'t>, key: &'static str) -> Option<Table<'t>> {
+        let (value, schema) = parent.table_of(key)?;
         let path = parent.path_of(key);
         if let Some(entries) = value.get_ref().as_table() {
             return Some(self.open(path, entries, schema));
         }
-        self.report(value.span(), CaseProblem::NotATable { path, found: kind(value.get_ref()) });
-        None
+        self.unread(value, CaseProblem::NotATable { path, found: kind(value.get_ref()) })
     }
 
     /// An inline table; `forms` lists the possible forms of the value.
@@ -192,20 +209,25 @@ impl<'t> Reader<'t> {
         &mut self,
         parent: &Table<'t>,
         key: &'static str,
-        schema: &'static Schema,
+        forms: &'static str,
+    ) -> Option<Table<'t>> {
+        self.inline_or(parent, key, "a table in braces", forms)
+    }
+
+    /// Like [`inline`](Self::inline), for a value that may also be something else.
+    pub(super) fn inline_or(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
         wanted: &'static str,
         forms: &'static str,
     ) -> Option<Table<'t>> {
-        let value = parent.get(key)?;
+        let (value, schema) = parent.table_of(key)?;
         let path = parent.path_of(key);
-        if let Some(entries) = value.get_ref().as_table() {
-            return Some(self.open(path, entries, schema));
+        match value.get_ref().as_table() {
+            Some(entries) => Some(self.open(path, entries, schema)),
+            None => self.wrong_type(value, path, wanted, forms),
         }
-        self.report(
-            value.span(),
-            CaseProblem::WrongType { path, found: kind(value.get_ref()), wanted, example: forms },
-        );
-        None
     }
 
     /// A list of at most `most` tables; `forms` lists the possible forms of the value.
@@ -213,21 +235,13 @@ impl<'t> Reader<'t> {
         &mut self,
         parent: &Table<'t>,
         key: &'static str,
-        schema: &'static Schema,
         forms: &'static str,
         most: usize,
     ) -> Option<Vec<Table<'t>>> {
-        let value = parent.get(key)?;
+        let (value, schema) = parent.table_of(key)?;
         let path = parent.path_of(key);
-        let wrong = |path: String, found: &Node<'_>, wanted: &'static str| CaseProblem::WrongType {
-            path,
-            found: kind(found),
-            wanted,
-            example: forms,
-        };
         let Some(array) = value.get_ref().as_array() else {
-            self.report(value.span(), wrong(path, value.get_ref(), "a list of tables in braces"));
-            return None;
+            return self.wrong_type(value, path, "a list of tables in braces", forms);
         };
         self.not_too_many(&path, value, array.len(), most)?;
         let mut tables = Vec::new();
@@ -237,7 +251,7 @@ impl<'t> Reader<'t> {
                 self.spans.insert(path.clone(), element.span());
                 tables.push(self.open(path, entries, schema));
             } else {
-                self.report(element.span(), wrong(path, element.get_ref(), "a table in braces"));
+                self.wrong_type::<()>(element, path, "a table in braces", forms);
             }
         }
         (tables.len() == array.len()).then_some(tables)

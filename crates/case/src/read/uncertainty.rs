@@ -2,10 +2,10 @@
 
 use std::ops::Range as Span;
 
-use super::tree::{Reader, Table, kind};
+use super::tree::{Reader, Table};
 use crate::case_problem::CaseProblem;
 use crate::nearest::{join, nearest};
-use crate::schema::{MOST_ZONES, SHARED};
+use crate::schema::MOST_ZONES;
 use inputs::{Case, Dimension, GivenUncertainty, Input, SharedError, Spread, Unit, list_of};
 
 const SIZES: &str = "`sd = \"1 cm\"`, or `within = \"5 %\"` and `confidence = 0.95`";
@@ -53,7 +53,7 @@ impl<'t> Reader<'t> {
     }
 
     fn shared(&mut self, table: &Table<'t>, case: &Case) -> Option<Vec<SharedError>> {
-        let tables = self.tables(table, "shared", &SHARED, ERRORS, MOST_ZONES)?;
+        let tables = self.tables(table, "shared", ERRORS, MOST_ZONES)?;
         let inputs = case.inputs();
         let errors: Vec<Option<SharedError>> =
             tables.iter().map(|table| self.shared_error(table, &inputs)).collect();
@@ -150,17 +150,13 @@ impl<'t> Reader<'t> {
         let (path, example) = (table.path_of(key), table.schema.example(key));
         let wanted = "a list of keys, each in quotes";
         let Some(list) = value.get_ref().as_array() else {
-            let found = kind(value.get_ref());
-            self.report(value.span(), CaseProblem::WrongType { path, found, wanted, example });
-            return None;
+            return self.wrong_type(value, path, wanted, example);
         };
         let mut names: Vec<Named> = Vec::new();
         let mut is_sound = true;
         for (index, element) in list.iter().enumerate() {
             let Some(text) = element.get_ref().as_str() else {
-                let path = format!("{path}[{}]", index + 1);
-                let found = kind(element.get_ref());
-                self.report(element.span(), CaseProblem::WrongType { path, found, wanted, example });
+                self.wrong_type::<()>(element, format!("{path}[{}]", index + 1), wanted, example);
                 is_sound = false;
                 continue;
             };

@@ -17,28 +17,37 @@ use crate::schema::{Form, MOST_STATIONS, Measure};
 use crate::units_in_use::usual_units;
 use inputs::{Bounds, Dimension, Quantity, Text, Unit, format_number};
 
-/// A key of a number, or an element of its list.
-pub(super) struct Place {
+/// A key that is given, or an element of its list.
+pub(super) struct Place<'t> {
     /// Its path.
     pub(super) path: String,
     /// Its name in error texts.
     pub(super) name: String,
     /// The line that sets the key.
     pub(super) example: &'static str,
+    /// Its value.
+    pub(super) value: &'t Spanned<Node<'t>>,
 }
 
-impl Place {
-    pub(super) fn of_key(table: &Table<'_>, key: &str) -> Self {
-        let path = table.path_of(key);
-        Self { name: named(&path), path, example: table.schema.example(key) }
+impl<'t> Place<'t> {
+    /// A key of a table; `None` if it is absent.
+    pub(super) fn of_key(table: &Table<'t>, key: &str) -> Option<Self> {
+        let (value, path) = (table.get(key)?, table.path_of(key));
+        Some(Self { name: named(&path), path, example: table.schema.example(key), value })
     }
 
-    pub(super) fn element(&self, index: usize) -> Self {
+    pub(super) fn element(&self, index: usize, value: &'t Spanned<Node<'t>>) -> Self {
         Self {
             path: format!("{}[{}]", self.path, index + 1),
             name: format!("value {} of {}", index + 1, self.name),
             example: self.example,
+            value,
         }
+    }
+
+    /// The value without its place.
+    pub(super) fn node(&self) -> &'t Node<'t> {
+        self.value.get_ref()
     }
 }
 
@@ -56,106 +65,85 @@ impl<'t> Reader<'t> {
         key: &'static str,
         measure: Measure,
     ) -> Option<Quantity> {
-        let value = table.get(key)?;
-        let place = Place::of_key(table, key);
-        self.quantity_or_range(&place, value, measure, "a string with a number and a unit")
+        self.quantity_or_range(&Place::of_key(table, key)?, measure, "a string with a number and a unit")
     }
 
     fn quantity_or_range(
         &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
-        if value.get_ref().is_table() {
-            return self.range_of_quantity(place, value, measure);
+        if place.node().is_table() {
+            return self.range_of_quantity(place, measure);
         }
-        self.certain_quantity(place, value, measure, wanted)
+        self.certain_quantity(place, measure, wanted)
     }
 
     /// A string with its unit.
     pub(super) fn certain_quantity(
         &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
-        let read = match value.get_ref() {
+        let read = match place.node() {
             Node::Quantity(number, unit) => in_dimension(*number, unit, measure.dimension),
-            _ => {
-                read_quantity(self.quantity_text(place, value, measure.dimension, wanted)?, measure.dimension)
-            }
+            _ => read_quantity(self.quantity_text(place, measure.dimension, wanted)?, measure.dimension),
         };
         match read {
-            Ok(quantity) => self.signed(&place.name, value.span(), quantity, measure),
-            Err(error) => {
-                let problem = self.unreadable(place, error, measure.dimension);
-                self.report(value.span(), problem);
-                None
-            }
+            Ok(quantity) => self.signed(&place.name, place.value.span(), quantity, measure),
+            Err(error) => self.unreadable(place, error, measure.dimension),
         }
     }
 
-    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> CaseProblem {
-        CaseProblem::Quantity { error, unit: self.units_in_use().example(&place.path, dimension) }
+    fn unreadable<T>(&mut self, place: &Place<'t>, error: QuantityError, dimension: Dimension) -> Option<T> {
+        let unit = self.units_in_use().example(&place.path, dimension);
+        self.unread(place.value, CaseProblem::Quantity { error, unit })
     }
 
     /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with
     /// either of them and a spread for all.
     pub(super) fn quantities(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<Quantity>> {
-        let measure = table.measure(key)?;
-        let value = table.get(key)?;
-        let place = Place::of_key(table, key);
-        if value.get_ref().is_table() {
-            return self.range_of_quantities(&place, value, measure);
+        let (measure, place) = (table.measure(key)?, Place::of_key(table, key)?);
+        if place.node().is_table() {
+            return self.range_of_quantities(&place, measure);
         }
-        self.listed_quantities(&place, value, measure)
+        self.listed_quantities(&place, measure)
     }
 
     /// One string with the unit at its end, or a list.
-    pub(super) fn listed_quantities(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        measure: Measure,
-    ) -> Option<Vec<Quantity>> {
-        let read = match value.get_ref() {
+    pub(super) fn listed_quantities(&mut self, place: &Place<'t>, measure: Measure) -> Option<Vec<Quantity>> {
+        let read = match place.node() {
             Node::Array(array) => {
-                self.not_too_many(&place.path, value, array.len(), MOST_STATIONS)?;
+                self.not_too_many(&place.path, place.value, array.len(), MOST_STATIONS)?;
                 let is_bare = |one: &Spanned<Node<'_>>| plain_number(one.get_ref()).is_some();
                 if !array.is_empty() && array.iter().all(is_bare) {
-                    return self.bare_numbers(place, value, measure.dimension);
+                    return self.bare_numbers(place, measure.dimension);
                 }
                 let element = |(index, element): (usize, &'t Spanned<Node<'t>>)| {
                     // Anything that is not a quantity makes the whole key wrong, not one element.
-                    let of_element = place.element(index);
+                    let of_element = place.element(index, element);
                     let path = if element.get_ref().is_table() { &of_element.path } else { &place.path };
                     let at = Place { path: path.clone(), ..of_element };
-                    self.quantity_or_range(&at, element, measure, "a list of strings")
+                    self.quantity_or_range(&at, measure, "a list of strings")
                 };
                 // Every element is read before the first fault ends it.
                 array.iter().enumerate().map(element).collect::<Vec<Option<Quantity>>>()
             }
             _ => {
                 let wanted = "a string with numbers and a unit, or a list of strings";
-                let text = self.quantity_text(place, value, measure.dimension, wanted)?;
-                self.split_quantities(place, value, text, measure)?
+                let text = self.quantity_text(place, measure.dimension, wanted)?;
+                self.split_quantities(place, text, measure)?
             }
         };
         read.into_iter().collect()
     }
 
     /// A list of only numbers is one fault, not one for each number.
-    fn bare_numbers<T>(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
-        dimension: Dimension,
-    ) -> Option<T> {
+    fn bare_numbers<T>(&mut self, place: &Place<'t>, dimension: Dimension) -> Option<T> {
         const SHOWN: usize = 12;
-        let array = value.get_ref().as_array().into_iter().flatten();
+        let array = place.node().as_array().into_iter().flatten();
         let numbers: Vec<String> = array.take(SHOWN + 1).map(|one| self.written(one)).collect();
         let key = place.path.rsplit('.').next().unwrap_or_default();
         let example = match self.units_in_use().example(&place.path, dimension) {
@@ -166,8 +154,7 @@ impl<'t> Reader<'t> {
             }
             _ => place.example.to_owned(),
         };
-        self.report(value.span(), CaseProblem::BareNumbers { path: place.path.clone(), dimension, example });
-        None
+        self.unread(place.value, CaseProblem::BareNumbers { path: place.path.clone(), dimension, example })
     }
 
     pub(super) fn not_too_many(
@@ -180,55 +167,36 @@ impl<'t> Reader<'t> {
         if count <= limit {
             return Some(());
         }
-        let problem = CaseProblem::TooMany { path: path.to_owned(), count, limit };
-        self.report(value.span(), problem);
-        None
+        self.unread(value, CaseProblem::TooMany { path: path.to_owned(), count, limit })
     }
 
     fn split_quantities(
         &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         text: &'t str,
         measure: Measure,
     ) -> Option<Vec<Option<Quantity>>> {
         let (numbers, unit) = leading_numbers(text);
-        let bad_list = || CaseProblem::BadList {
-            text: shorten(text),
-            dimension: measure.dimension,
-            example: place.example,
-        };
-        let problem = if text.trim().is_empty() {
-            Some(self.unreadable(
-                place,
-                QuantityError::Empty { dimension: measure.dimension },
-                measure.dimension,
-            ))
-        } else if numbers.is_empty() {
-            Some(self.unreadable(place, not_a_number(text.trim(), measure.dimension), measure.dimension))
-        } else if unit.contains(',') || unit.split_whitespace().any(|word| split_number(word).0.is_some()) {
-            Some(bad_list())
-        } else {
-            None
-        };
-        if let Some(problem) = problem {
-            self.report(value.span(), problem);
-            return None;
+        let (value, dimension, example) = (place.value, measure.dimension, place.example);
+        if text.trim().is_empty() {
+            return self.unreadable(place, QuantityError::Empty { dimension }, dimension);
         }
-        let unit = match find_unit(text.trim(), unit, measure.dimension) {
+        if numbers.is_empty() {
+            return self.unreadable(place, not_a_number(text.trim(), dimension), dimension);
+        }
+        if unit.contains(',') || unit.split_whitespace().any(|word| split_number(word).0.is_some()) {
+            return self.unread(value, CaseProblem::BadList { text: shorten(text), dimension, example });
+        }
+        let unit = match find_unit(text.trim(), unit, dimension) {
             Ok(unit) => unit,
-            Err(error) => {
-                let problem = self.unreadable(place, error, measure.dimension);
-                self.report(value.span(), problem);
-                return None;
-            }
+            Err(error) => return self.unreadable(place, error, dimension),
         };
         self.not_too_many(&place.path, value, numbers.len(), MOST_STATIONS)?;
         let start = self.start_of_text(value, text);
         let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
             let span = start.map_or(value.span(), |start| start + at.start..start + at.end);
             match Quantity::new(number, unit) {
-                Ok(quantity) => self.signed(&place.element(index).name, span, quantity, measure),
+                Ok(quantity) => self.signed(&place.element(index, value).name, span, quantity, measure),
                 Err(error) => {
                     self.report(span, CaseProblem::Quantity { error: error.into(), unit: None });
                     None
@@ -265,16 +233,15 @@ impl<'t> Reader<'t> {
 
     fn quantity_text(
         &mut self,
-        place: &Place,
-        value: &'t Spanned<Node<'t>>,
+        place: &Place<'t>,
         dimension: Dimension,
         wanted: &'static str,
     ) -> Option<&'t str> {
         let (path, example) = (place.path.clone(), place.example);
-        let problem = match value.get_ref() {
-            Node::String(text) => return Some(text),
+        match place.node() {
+            Node::String(text) => Some(text),
             Node::Number(_) | Node::NotDecimal => {
-                let number = self.written(value);
+                let number = self.written(place.value);
                 let example = match hour_of(&number).filter(|_| place.path.ends_with(".pdof")) {
                     Some(hour) => {
                         format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
@@ -290,12 +257,10 @@ impl<'t> Reader<'t> {
                     }
                     None => example.to_owned(),
                 };
-                CaseProblem::BareNumber { path, number, dimension, example }
+                self.unread(place.value, CaseProblem::BareNumber { path, number, dimension, example })
             }
-            other => CaseProblem::WrongType { path, found: kind(other), wanted, example },
-        };
-        self.report(value.span(), problem);
-        None
+            _ => self.wrong_type(place.value, path, wanted, example),
+        }
     }
 
     pub(super) fn signed(
@@ -331,36 +296,27 @@ impl<'t> Reader<'t> {
 
     /// A plain number within the bounds, or a range.
     pub(super) fn number(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
-        let bounds = table.bounds(key)?;
-        let value = table.get(key)?;
-        self.number_at(&Place::of_key(table, key), key, value, bounds)
+        self.number_at(&Place::of_key(table, key)?, key, table.bounds(key)?)
     }
 
     /// Like [`number`](Self::number), for a value that need not belong to a key.
-    pub(super) fn number_at(
-        &mut self,
-        place: &Place,
-        key: &str,
-        value: &'t Spanned<Node<'t>>,
-        bounds: Bounds,
-    ) -> Option<f64> {
-        if value.get_ref().is_table() {
-            return self.range_of_number(place, value, bounds);
+    pub(super) fn number_at(&mut self, place: &Place<'t>, key: &str, bounds: Bounds) -> Option<f64> {
+        if place.node().is_table() {
+            return self.range_of_number(place, bounds);
         }
-        self.certain_number(place, key, value, words(bounds), |number| accepts(bounds, number))
+        self.certain_number(place, key, words(bounds), |number| accepts(bounds, number))
     }
 
     /// A plain number for which `accepts` holds; `range` describes the condition in words.
     pub(super) fn certain_number(
         &mut self,
-        place: &Place,
+        place: &Place<'t>,
         key: &str,
-        value: &'t Spanned<Node<'t>>,
         range: impl Into<Cow<'static, str>>,
         accepts: impl Fn(f64) -> bool,
     ) -> Option<f64> {
         let (path, name, example) = (place.path.clone(), place.name.clone(), place.example);
-        let problem = match (plain_number(value.get_ref()), value.get_ref()) {
+        let problem = match (plain_number(place.node()), place.node()) {
             (Some(number), _) if accepts(number) => return Some(number),
             (Some(value), _) => CaseProblem::OutOfRange { path: name, value, range: range.into(), example },
             (None, Node::String(text)) => {
@@ -375,28 +331,23 @@ impl<'t> Reader<'t> {
                 CaseProblem::WrongType { path, found: kind(other), wanted: "a plain number", example }
             }
         };
-        self.report(value.span(), problem);
-        None
+        self.unread(place.value, problem)
     }
 
     /// A list of plain numbers within the bounds, and of ranges.
     pub(super) fn numbers(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<f64>> {
         const WANTED: &str = "a list of plain numbers";
-        let bounds = table.bounds(key)?;
-        let value = table.get(key)?;
-        let whole = Place::of_key(table, key);
+        let (bounds, whole) = (table.bounds(key)?, Place::of_key(table, key)?);
         let (path, example, range) = (whole.path.clone(), whole.example, words(bounds));
-        let Some(array) = value.get_ref().as_array() else {
-            let found = kind(value.get_ref());
-            self.report(value.span(), CaseProblem::WrongType { path, found, wanted: WANTED, example });
-            return None;
+        let Some(array) = whole.node().as_array() else {
+            return self.wrong_type(whole.value, path, WANTED, example);
         };
-        self.not_too_many(&path, value, array.len(), MOST_STATIONS)?;
+        self.not_too_many(&path, whole.value, array.len(), MOST_STATIONS)?;
         let element = |(index, element): (usize, &'t Spanned<Node<'t>>)| {
             if element.get_ref().is_table() {
-                return self.range_of_number(&whole.element(index), element, bounds);
+                return self.range_of_number(&whole.element(index, element), bounds);
             }
-            let place = || whole.element(index).name;
+            let place = || whole.element(index, element).name;
             let problem = match (plain_number(element.get_ref()), element.get_ref()) {
                 (Some(number), _) if accepts(bounds, number) => return Some(number),
                 (Some(value), _) => {
@@ -411,8 +362,7 @@ impl<'t> Reader<'t> {
                     CaseProblem::WrongType { path: path.clone(), found, wanted: WANTED, example }
                 }
             };
-            self.report(element.span(), problem);
-            None
+            self.unread(element, problem)
         };
         // Every element is read before the first fault ends it.
         let read: Vec<Option<f64>> = array.iter().enumerate().map(element).collect();
@@ -420,28 +370,24 @@ impl<'t> Reader<'t> {
     }
 
     /// A whole number from 1 to the last that the row of its key allows.
-    pub(super) fn counted(&mut self, place: &Place, table: &Table<'t>, key: &'static str) -> Option<u8> {
+    pub(super) fn counted(&mut self, place: &Place<'t>, table: &Table<'t>, key: &'static str) -> Option<u8> {
         let Form::Count(last) = table.schema.key(key)?.form else { return None };
-        let value = table.get(key)?;
-        self.not_a_range(table, key, value)?;
+        self.not_a_range(table, key, place.value)?;
         let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
         let range = format!("a whole number from 1 to {last}");
-        self.certain_number(place, key, value, range, |number| of(number).is_some()).and_then(of)
+        self.certain_number(place, key, range, |number| of(number).is_some()).and_then(of)
     }
 
     /// A text that is not empty.
     pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<Text> {
         let value = table.get(key)?;
         self.not_a_range(table, key, value)?;
-        let path = table.path_of(key);
-        let example = table.schema.example(key);
-        let problem = match value.get_ref() {
-            Node::String(text) if !text.trim().is_empty() => return Some(Text::from(&**text)),
-            Node::String(_) => CaseProblem::EmptyText { path, example },
-            other => CaseProblem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
-        };
-        self.report(value.span(), problem);
-        None
+        let (path, example) = (table.path_of(key), table.schema.example(key));
+        match value.get_ref() {
+            Node::String(text) if !text.trim().is_empty() => Some(Text::from(&**text)),
+            Node::String(_) => self.unread(value, CaseProblem::EmptyText { path, example }),
+            _ => self.wrong_type(value, path, "a text in quotes", example),
+        }
     }
 
     /// True or false; absent is false.
@@ -450,16 +396,10 @@ impl<'t> Reader<'t> {
         if let Some(flag) = value.get_ref().as_bool() {
             return flag;
         }
-        if self.not_a_range(table, key, value).is_none() {
-            return false;
+        if self.not_a_range(table, key, value).is_some() {
+            let (path, example) = (table.path_of(key), table.schema.example(key));
+            self.wrong_type::<()>(value, path, "true or false", example);
         }
-        let problem = CaseProblem::WrongType {
-            path: table.path_of(key),
-            found: kind(value.get_ref()),
-            wanted: "true or false",
-            example: table.schema.example(key),
-        };
-        self.report(value.span(), problem);
         false
     }
 
@@ -494,28 +434,27 @@ impl<'t> Reader<'t> {
         let value = table.get(key)?;
         self.not_a_range(table, key, value)?;
         let path = table.path_of(key);
-        let problem = match value.get_ref() {
-            Node::String(word) => {
-                if let Some((_, choice)) = choices.iter().find(|(name, _)| name == word) {
-                    return Some(*choice);
-                }
-                let names = || choices.iter().map(|(name, _)| *name);
-                CaseProblem::UnknownChoice {
-                    path,
-                    word: shorten(word),
-                    nearest: nearest(word, names()),
-                    choices: forms.to_owned(),
-                }
-            }
-            other => CaseProblem::WrongType {
-                path,
-                found: kind(other),
-                wanted: "a word in quotes",
-                example: table.schema.example(key),
-            },
-        };
-        self.report(value.span(), problem);
-        None
+        match value.get_ref() {
+            Node::String(word) => self.word(value, path, word, choices, forms),
+            _ => self.wrong_type(value, path, "a word in quotes", table.schema.example(key)),
+        }
+    }
+
+    /// The choice of a word.
+    pub(super) fn word<T: Copy>(
+        &mut self,
+        value: &Spanned<Node<'_>>,
+        path: String,
+        word: &str,
+        choices: &[(&'static str, T)],
+        forms: &str,
+    ) -> Option<T> {
+        if let Some((_, choice)) = choices.iter().find(|(name, _)| *name == word) {
+            return Some(*choice);
+        }
+        let nearest = nearest(word, choices.iter().map(|(name, _)| *name));
+        let (word, choices) = (shorten(word), forms.to_owned());
+        self.unread(value, CaseProblem::UnknownChoice { path, word, nearest, choices })
     }
 }
 

@@ -5,16 +5,21 @@ use super::values::{Place, hour_of, named};
 use crate::case_problem::{CLASS_FORMS, CaseProblem, counted};
 use crate::node::Node;
 use crate::quantity::{Limit, format_limit, shorten};
-use crate::schema::{
-    CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY,
-    ZONE,
-};
+use crate::schema::{MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED};
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
     ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, KnownEnergy, Mass,
     OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED,
     VehicleKind, Velocity, YawInertia, format_number,
 };
+
+/// Why a crush from the force balance lacks a key, and what to remove if that is wrong.
+const INFERRED: [&str; 2] =
+    ["takes its crush from the force balance", "from_force_balance = true if the damage was measured"];
+
+fn cannot_give(table: &Table<'_>, key: &'static str, [because, instead]: [&'static str; 2]) -> CaseProblem {
+    CaseProblem::CannotGive { table: table.label(), key, because, instead }
+}
 
 /// (–) maximum relative difference between width and sum of the spacing: both are read from a tape.
 const WIDTH_TOLERANCE: f64 = 1e-3;
@@ -30,12 +35,10 @@ impl<'t> Reader<'t> {
             self.missing(top, key);
             return None;
         }
-        let table = self.child(top, key, &VEHICLE)?;
+        let table = self.child(top, key)?;
         let fixed = self.flag(&table, "fixed");
         if fixed {
-            for key in table.given(&NEVER_FIXED) {
-                self.report_path(&table.path_of(key), CaseProblem::FixedHas { table: table.label(), key });
-            }
+            self.excluded(&table, &NEVER_FIXED, ["is fixed", "fixed = true if this vehicle can move"]);
         }
         let (crush, energy) = self.damage(&table);
         let mut vehicle = GivenVehicle {
@@ -72,7 +75,7 @@ impl<'t> Reader<'t> {
     }
 
     fn class(&mut self, table: &Table<'t>) -> Option<u8> {
-        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class") };
+        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class")? };
         self.counted(&place, table, "class")
     }
 
@@ -92,12 +95,10 @@ impl<'t> Reader<'t> {
 
     fn contact(&mut self, vehicle: &Table<'t>) -> Option<ContactPoint> {
         const FORMS: &str = "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" } or contact = { x = \"1.78 m\", y = \"-0.73 m\" }";
-        let table = self.inline(vehicle, "contact", &CONTACT, "a table in braces", FORMS)?;
-        let distance = self.quantity(&table, "distance");
-        let angle = self.quantity(&table, "angle");
-        let x = self.quantity(&table, "x");
-        let y = self.quantity(&table, "y");
-        match table.given(&["distance", "angle", "x", "y"])[..] {
+        let table = self.inline(vehicle, "contact", FORMS)?;
+        let keys = ["distance", "angle", "x", "y"];
+        let [distance, angle, x, y] = keys.map(|key| self.quantity(&table, key));
+        match table.given(&keys)[..] {
             ["distance", "angle"] => Some(ContactPoint::Polar { distance: distance?, angle: angle? }),
             ["x", "y"] => Some(ContactPoint::Cartesian { x: x?, y: y? }),
             _ => self.no_form(&table, FORMS),
@@ -115,11 +116,10 @@ impl<'t> Reader<'t> {
             "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" } or, along the heading, speed = \"75 ft/s\"";
         self.not_both(vehicle, "speed", "velocity");
         let speed = self.quantity(vehicle, "speed").map(Velocity::Speed);
-        let Some(table) = self.inline(vehicle, "velocity", &VELOCITY, "a table in braces", FORMS) else {
+        let Some(table) = self.inline(vehicle, "velocity", FORMS) else {
             return speed;
         };
-        let x = self.quantity(&table, "x");
-        let y = self.quantity(&table, "y");
+        let [x, y] = ["x", "y"].map(|key| self.quantity(&table, key));
         match table.given(&["x", "y"])[..] {
             ["x", "y"] => Some(Velocity::Vector { x: x?, y: y? }),
             _ => self.no_form(&table, FORMS),
@@ -137,9 +137,7 @@ impl<'t> Reader<'t> {
             let path = table.path_of(first);
             self.report_path(&path, CaseProblem::HalfOutline { table: table.label(), given, missing });
         }
-        let length = self.quantity(table, "length");
-        let width = self.quantity(table, "width");
-        let cg_to_front = self.quantity(table, "cg_to_front");
+        let [length, width, cg_to_front] = keys.map(|key| self.quantity(table, key));
         let outline = Outline { length: length?, width: width?, cg_to_front: cg_to_front? };
         let Outline { length, cg_to_front, .. } = &outline;
         if !fixed && cg_to_front.si() >= length.si() {
@@ -162,7 +160,13 @@ impl<'t> Reader<'t> {
     /// A quantity that only a fixed object has.
     fn of_object(&mut self, table: &Table<'t>, key: &'static str, fixed: bool) -> Option<Quantity> {
         if table.has(key) && !fixed {
-            self.report_path(&table.path_of(key), CaseProblem::OfObject { table: table.label(), key });
+            let message = format!("{} gives \"{key}\", which only a fixed object has", table.label());
+            let instead = match key {
+                "diameter" => "give length, width and cg_to_front instead",
+                _ => "give its crush instead",
+            };
+            let help = format!("for a tree, a pole or a barrier, add fixed = true; for a vehicle, {instead}");
+            self.refuse::<()>(&table.path_of(key), message, &help);
         }
         self.quantity(table, key)
     }
@@ -176,13 +180,12 @@ impl<'t> Reader<'t> {
                 self.choice_among(vehicle, "crush", &[(UNDAMAGED, KnownEnergy::Undamaged)], FORMS);
             return (None, undamaged);
         }
-        let Some(table) = self.child(vehicle, "crush", &CRUSH) else { return (None, None) };
+        let Some(table) = self.child(vehicle, "crush") else { return (None, None) };
         if !table.has("ees") {
             return (self.crush(&table), None);
         }
-        for key in table.given(&NEVER_BESIDE_EES) {
-            self.report_path(&table.path_of(key), CaseProblem::EesHas { table: table.label(), key });
-        }
+        let why = ["gives \"ees\"", "ees if the energy is to follow from the crush depths"];
+        self.excluded(&table, &NEVER_BESIDE_EES, why);
         let ees = self.quantity(&table, "ees");
         let side = self.choice(&table, "side", &SIDES);
         let pdof = self.pdof(&table);
@@ -194,9 +197,7 @@ impl<'t> Reader<'t> {
         let from_force_balance = self.flag(table, "from_force_balance");
         if from_force_balance {
             self.require(table, &["side", "stiffness"]);
-            for key in table.given(&["depths", "spacing"]) {
-                self.report_path(&table.path_of(key), CaseProblem::InferredHas { table: table.label(), key });
-            }
+            self.excluded(table, &["depths", "spacing"], INFERRED);
         } else {
             self.require(table, &["side", "depths", "stiffness"]);
             if !table.has("spacing") {
@@ -213,7 +214,7 @@ impl<'t> Reader<'t> {
             let path = format!("{}.zones", table.path_of("stiffness"));
             match depths.as_ref().map(Vec::len) {
                 _ if from_force_balance => {
-                    self.report_path(&path, CaseProblem::InferredHas { table: table.label(), key: "zones" });
+                    self.report_path(&path, cannot_give(table, "zones", INFERRED));
                 }
                 Some(stations) if stations >= 2 && zones.len() != stations - 1 => {
                     let (zones, needed) = (counted(zones.len(), "zone"), stations - 1);
@@ -225,10 +226,9 @@ impl<'t> Reader<'t> {
                 _ => {}
             }
         }
-        let offset = self.quantity(table, "offset");
+        let [offset, oblique_angle, moment_arm] =
+            ["offset", "oblique_angle", "moment_arm"].map(|key| self.quantity(table, key));
         let pdof = self.pdof(table);
-        let oblique_angle = self.quantity(table, "oblique_angle");
-        let moment_arm = self.quantity(table, "moment_arm");
         let oblique = self.oblique(table);
         let depths = if from_force_balance { Vec::new() } else { depths? };
         Some(Crush {
@@ -257,7 +257,9 @@ impl<'t> Reader<'t> {
         let stations = depths.map(<[Quantity]>::len);
         if let Some(count @ 0..2) = stations {
             let path = table.path_of("depths");
-            self.report_path(&path.clone(), CaseProblem::TooFewStations { path, count });
+            let message =
+                format!("\"{path}\" has {}, but a profile needs at least two", counted(count, "station"));
+            self.refuse::<()>(&path, message, "give at least the depths at both ends of the damage");
             return;
         }
         let Some(spacing) = spacing else { return };
@@ -302,8 +304,8 @@ impl<'t> Reader<'t> {
                 let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
                 let hour = hour_of(&digits[..end]);
                 let text = shorten(text);
-                self.report(value.span(), CaseProblem::HourForm { path: crush.path_of("pdof"), text, hour });
-                return None;
+                let path = crush.path_of("pdof");
+                return self.unread(value, CaseProblem::HourForm { path, text, hour });
             }
             return self.quantity(crush, "pdof").map(Pdof::Angle);
         };
@@ -311,8 +313,7 @@ impl<'t> Reader<'t> {
             Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
             _ => {
                 let text = shorten(&format!("{hour}o'clock"));
-                self.report(value.span(), CaseProblem::NotAnHour { path: crush.path_of("pdof"), text });
-                None
+                self.unread(value, CaseProblem::NotAnHour { path: crush.path_of("pdof"), text })
             }
         }
     }
@@ -320,7 +321,7 @@ impl<'t> Reader<'t> {
     fn oblique(&mut self, crush: &Table<'t>) -> Option<ObliqueCorrection> {
         const FORMS: &str = "oblique = \"capped\", \"uncapped\", \"none\", \"secant\" or { friction = 0.5 }";
         if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
-            let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
+            let table = self.inline_or(crush, "oblique", "a word or a table in braces", FORMS)?;
             return match table.given(&["friction"])[..] {
                 ["friction"] => self.number(&table, "friction").map(ObliqueCorrection::Friction),
                 _ => self.no_form(&table, FORMS),
@@ -341,22 +342,22 @@ impl<'t> Reader<'t> {
                                     limit = \"1500 N/cm\" }; a category and a test allow no other key";
         const IN_ZONE_FORMS: &str = "limit and G in the zone they belong to, as in \
                                      zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\", limit = \"1500 N/cm\" }, …]";
-        let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
+        let table = self.inline(crush, "stiffness", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
                 let place = Place {
                     example: "stiffness = { category = 4 }; the table covers only passenger cars; for a van, a pickup or a truck, give A and B or \
                               a test",
-                    ..Place::of_key(&table, "category")
+                    ..Place::of_key(&table, "category")?
                 };
                 self.counted(&place, &table, "category").map(StiffnessForm::Category)
             }
             ["test"] => {
-                let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
+                let test = self.inline(&table, "test", TEST_FORMS)?;
                 self.barrier_test(&test).map(StiffnessForm::Test)
             }
             ["zones"] => {
-                let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS, MOST_ZONES)?;
+                let zones = self.tables(&table, "zones", ZONE_FORMS, MOST_ZONES)?;
                 // Every zone is read before the first fault ends it.
                 let lines: Vec<Option<StiffnessLine>> =
                     zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
@@ -390,10 +391,7 @@ impl<'t> Reader<'t> {
             self.report_path(&path, CaseProblem::TooSmall { path: named(&path), value });
             b = None;
         }
-        let d0 = self.quantity(table, "d0");
-        let d1 = self.quantity(table, "d1");
-        let g = self.quantity(table, "G");
-        let limit = self.quantity(table, "limit");
+        let [d0, d1, g, limit] = ["d0", "d1", "G", "limit"].map(|key| self.quantity(table, key));
         let line = match table.given(&["A", "B", "d0", "d1"])[..] {
             ["A", "B"] => StiffnessLine::Crush { a: a?, b: b?, g, limit },
             ["d0", "d1"] => StiffnessLine::Root { d0: d0?, d1: d1?, g, limit },
@@ -426,11 +424,10 @@ impl<'t> Reader<'t> {
             self.require(table, &["mass"]);
         }
         let mass = self.mass(table);
-        let speed = self.quantity(table, "speed");
-        let width = self.quantity(table, "width");
+        let [speed, width, no_damage_speed] =
+            ["speed", "width", "no_damage_speed"].map(|key| self.quantity(table, key));
         let depths = self.quantities(table, "depths");
         self.profile(table, width, depths.as_deref(), None);
-        let no_damage_speed = self.quantity(table, "no_damage_speed");
         let fit = self.choice(table, "fit", &Fit::WORDS);
         let depths = depths.filter(|depths| depths.len() >= 2)?;
         let test = GivenTest {
@@ -461,6 +458,13 @@ impl<'t> Reader<'t> {
             return self.refuse(&table.path_of(key), message, help);
         }
         Some(test)
+    }
+
+    /// Reports the keys that the table has, but cannot have.
+    fn excluded(&mut self, table: &Table<'t>, keys: &[&'static str], why: [&'static str; 2]) {
+        for key in table.given(keys) {
+            self.report_path(&table.path_of(key), cannot_give(table, key, why));
+        }
     }
 
     pub(super) fn not_both(&mut self, table: &Table<'t>, first: &'static str, second: &'static str) {

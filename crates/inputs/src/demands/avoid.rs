@@ -56,16 +56,12 @@ impl Case {
         };
         demand.of_speed(avoid);
         let form = self.avoid_form(&self.avoid_basis());
-        for (is_given, key, example) in [
+        demand.lacks([
             (avoid.limit.is_some(), "avoid.limit", LIMIT),
             (avoid.reaction_time.is_some(), "avoid.reaction_time", REACTION),
             (avoid.deceleration.is_some(), "avoid.deceleration", DECELERATION),
             (avoid.demand.is_some(), "avoid.demand", DEMAND),
-        ] {
-            if !is_given {
-                demand.missing(key, example);
-            }
-        }
+        ]);
         demand.of_deceleration(avoid);
         demand.of_skid(avoid);
         demand.of_phases(avoid);
@@ -83,10 +79,9 @@ impl Case {
     /// What the central values tell of the question.
     #[must_use]
     pub fn avoid_basis(&self) -> AvoidBasis {
-        let subject = self.avoid_subject();
+        let (subject, ground) = (self.avoid_subject(), self.ground_friction());
         let recorded = |vehicle: VehicleId| {
             let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
-            let ground = self.surface.as_ref().map(|surface| surface.friction);
             // The reader of a case refuses errors out of their range.
             let stored = recorder.before_impact()?;
             SampledApproach::of(stored, &recorder.speed_errors(ground)).ok().map(Arc::new)
@@ -95,7 +90,6 @@ impl Case {
         let has_own = self.avoid.as_ref().is_none_or(|avoid| avoid.speed.is_some());
         let own = if has_own { None } else { recorded(subject) };
         let other = subject.other();
-        let ground = self.surface.as_ref().map(|surface| surface.friction);
         let recorder = self.vehicles[other.index()].recorder.as_ref();
         let tells_speed = recorder.is_some_and(|recorder| recorder.tells_speed(ground).is_some());
         AvoidBasis {
@@ -174,8 +168,7 @@ impl<T: Copy + From<f64>> Case<T> {
         Some(match (of_vehicle.skid(), of_vehicle.phases(), recorded) {
             (Some(skid), ..) => {
                 let SkidBegin::Length(length) = skid.begin else { return None };
-                let of_ground = self.surface.as_ref().map(|surface| surface.friction);
-                BrakingForm::Skid { length, friction: skid.friction.or(of_ground)? }
+                BrakingForm::Skid { length, friction: skid.friction.or(self.ground_friction())? }
             }
             (None, phases @ [_, ..], _) => {
                 BrakingForm::Phases(phases.iter().map(|phase| phase.form).collect())
@@ -541,7 +534,7 @@ impl Demand<'_, f64> {
                 }
             }
         }
-        for (is_given, key, example) in [
+        self.lacks([
             (
                 eye.is_some(),
                 "avoid.sight.eye",
@@ -570,10 +563,13 @@ impl Demand<'_, f64> {
                 "avoid.sight.other_speed",
                 "`other_speed`, how fast the other party moves, as in other_speed = \"1.5 m/s\"",
             ),
-        ] {
-            if !is_given {
-                self.missing(key, example);
-            }
+        ]);
+    }
+
+    /// Reports those of the keys that are not given, with what to give.
+    fn lacks(&mut self, keys: impl IntoIterator<Item = (bool, &'static str, &'static str)>) {
+        for (_, key, example) in keys.into_iter().filter(|(is_given, ..)| !is_given) {
+            self.missing(key, example);
         }
     }
 }

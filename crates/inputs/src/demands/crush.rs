@@ -4,8 +4,8 @@ use crash3::{DamagedFace, Profile, SideStiffness};
 use pim_core::{Real, VehicleId};
 
 use super::{Demand, table};
-use crate::crush::{Crush, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
-use crate::data::{CrushEvidence, DamageData, InferredWidth, StiffnessSource, VehicleData};
+use crate::crush::{Crush, KnownEnergy, StiffnessForm, StiffnessLine};
+use crate::data::{CrushEvidence, DamageData, ForceData, InferredWidth, StiffnessSource, VehicleData};
 use crate::dimensions::Dimensions;
 use crate::form::CrushForm;
 use crate::purpose::Purpose;
@@ -23,21 +23,18 @@ pub(super) fn fill_opposite_pdof<T: Real>(
 ) {
     let [Some(h1), Some(h2)] = headings else { return };
     let given = vehicles.each_ref().map(|vehicle| {
-        let vehicle = vehicle.as_ref()?;
-        Some((vehicle.pdof()?, vehicle.pdof_is_hour()))
+        let force = vehicle.as_ref()?.force;
+        Some((force.pdof?, force.pdof_is_hour))
     });
     let follows = [
         given[1].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h2, h1]), is_hour)),
         given[0].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h1, h2]), is_hour)),
     ];
     for (vehicle, follows) in vehicles.into_iter().zip(follows) {
-        let Some(vehicle) = vehicle.filter(|vehicle| vehicle.pdof().is_none()) else { continue };
-        let Some((pdof, is_hour)) = follows else { continue };
-        if let Some(damage) = &mut vehicle.damage {
-            (damage.pdof, damage.pdof_follows, damage.pdof_is_hour) = (Some(pdof), true, is_hour);
-        }
-        if let Some(energy) = &mut vehicle.energy {
-            (energy.pdof, energy.pdof_follows, energy.pdof_is_hour) = (Some(pdof), true, is_hour);
+        let Some(vehicle) = vehicle.filter(|vehicle| vehicle.force.pdof.is_none()) else { continue };
+        let Some((pdof, pdof_is_hour)) = follows else { continue };
+        if vehicle.damage.is_some() || vehicle.energy.is_some() {
+            vehicle.force = ForceData { pdof: Some(pdof), pdof_follows: true, pdof_is_hour, ..vehicle.force };
         }
     }
 }
@@ -104,11 +101,7 @@ impl<T: Real> Demand<'_, T> {
             face,
             offset,
             correction: crush.oblique.unwrap_or_default(),
-            pdof: crush.pdof.as_ref().map(|pdof| crash3::principal_angle(pdof.rad())),
-            pdof_follows: false,
-            pdof_is_hour: matches!(crush.pdof, Some(Pdof::Clock(_))),
             oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
-            moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
         })
     }
 

@@ -120,7 +120,7 @@ impl<T: Real> Case<T> {
     /// The skid marks of each vehicle before the impact, where their friction is known too.
     #[must_use]
     pub fn skids(&self) -> [Option<SkidData<T>>; 2] {
-        let ground = self.surface.as_ref().map(|surface| surface.friction);
+        let ground = self.ground_friction();
         VehicleId::ALL.map(|id| {
             let skid = self.vehicles[id.index()].skid()?;
             Some(SkidData { length: self.skid_length(id, skid)?, friction: skid.friction.or(ground)? })

@@ -4,8 +4,8 @@ use crash3::VehicleClass;
 use pim_core::{Real, VehicleId};
 
 use super::{Demand, table};
-use crate::crush::Pdof;
-use crate::data::{EnergyData, InertiaData, VehicleData};
+use crate::crush::{KnownEnergy, Pdof};
+use crate::data::{EnergyData, ForceData, InertiaData, VehicleData};
 use crate::dimensions::Dimensions;
 use crate::estimate::YawSource;
 use crate::form::{ContactForm, DamageForm, VehicleForm};
@@ -31,6 +31,7 @@ impl<T: Real> Demand<'_, T> {
                 deformation_energy: vehicle.deformation_energy.as_ref().map(Quantity::si),
                 damage: None,
                 energy: None,
+                force: ForceData::UNKNOWN,
             });
         }
         let inertia = self.inertia(id, vehicle, &form);
@@ -42,17 +43,20 @@ impl<T: Real> Demand<'_, T> {
                 None
             }
         };
-        let energy = vehicle.energy.map(|known| {
-            let given = known.ees();
-            EnergyData {
-                ees: given.map(|given| given.ees.si()),
-                side: given.and_then(|given| given.side),
-                pdof: given.and_then(|given| given.pdof).map(|pdof| crash3::principal_angle(pdof.rad())),
-                pdof_follows: false,
-                pdof_is_hour: given.is_some_and(|given| matches!(given.pdof, Some(Pdof::Clock(_)))),
-                moment_arm: given.and_then(|given| given.moment_arm).map(|arm| arm.si()),
-            }
+        let ees = vehicle.energy.as_ref().and_then(KnownEnergy::ees);
+        let energy = vehicle.energy.map(|_| EnergyData {
+            ees: ees.map(|given| given.ees.si()),
+            side: ees.and_then(|given| given.side),
         });
+        let of_crush = vehicle.crush.as_ref().map(|crush| (crush.pdof, crush.moment_arm));
+        let of_ees = ees.map(|given| (given.pdof, given.moment_arm));
+        let (pdof, moment_arm) = of_crush.or(of_ees).unwrap_or_default();
+        let force = ForceData {
+            pdof: pdof.map(|pdof| crash3::principal_angle(pdof.rad())),
+            pdof_follows: false,
+            pdof_is_hour: matches!(pdof, Some(Pdof::Clock(_))),
+            moment_arm: moment_arm.as_ref().map(Quantity::si),
+        };
         // The damage alone needs no point: its force acts through the centroid unless the case gives the arm.
         let needs_contact = self.purpose != Purpose::Crush && !self.is_of_point_masses;
         let contact_is_placed = vehicle.places_contact() && needs_contact;
@@ -70,6 +74,7 @@ impl<T: Real> Demand<'_, T> {
             deformation_energy: None,
             damage,
             energy,
+            force,
         })
     }
 

@@ -73,10 +73,7 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
 
 /// The vehicles whose moment arm keeps the value that the file gives while the PDOF turns.
 pub(crate) fn held_in_sweep(sensitivity: &Sensitivity) -> Vec<VehicleId> {
-    given_in_sweep(sensitivity, |vehicle| match &vehicle.damage {
-        Some(damage) => damage.moment_arm,
-        None => vehicle.energy?.moment_arm,
-    })
+    given_in_sweep(sensitivity, |vehicle| vehicle.force.moment_arm)
 }
 
 /// The vehicles whose oblique angle begins with the value that the file gives, and turns with the PDOF.

@@ -253,7 +253,7 @@ impl Page<'_> {
         row("PDOF as given", &|i| {
             let follows = || {
                 let subject = &analysis.vehicles[i].subject;
-                let pdof = subject.pdof().filter(|_| subject.pdof_follows())?;
+                let pdof = subject.force.pdof.filter(|_| subject.force.pdof_follows)?;
                 Some(format!("opposite: {}", units.format(Measure::Angle, pdof)))
             };
             let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.pdof);
@@ -461,7 +461,7 @@ impl Page<'_> {
         }
         chosen.pair(&mut table, &rows::CRUSH_ENERGY);
         // The PDOF of the impulse is above; this is the one that the file gives instead.
-        let is_given = |i: usize| analysis.vehicles[i].subject.pdof().is_some();
+        let is_given = |i: usize| analysis.vehicles[i].subject.force.pdof.is_some();
         let is_alone = analysis.exchange().is_none();
         if is_alone || [0, 1].into_iter().any(is_given) {
             let label = if is_alone { rows::PDOF.label } else { "PDOF that CRASH3 uses" };

@@ -32,7 +32,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
 
 /// The symbol of the PDOF that CRASH3 uses, which differs from that of the impulse above.
 fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
-    match (vehicle.subject.pdof(), vehicle.subject.pdof_follows()) {
+    match (vehicle.subject.force.pdof, vehicle.subject.force.pdof_follows) {
         (Some(_), true) => format!("PDOF_opposite,{i}"),
         (Some(_), false) => format!("PDOF_given,{i}"),
         (None, _) => format!("PDOF_{i}"),
@@ -41,8 +41,8 @@ fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
 
 /// The PDOF that the file gives for the vehicle or, if it gives that of the other vehicle, the opposite one.
 fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Step> {
-    let pdof = vehicle.subject.pdof()?;
-    let (what, source) = if vehicle.subject.pdof_follows() {
+    let pdof = vehicle.subject.force.pdof?;
+    let (what, source) = if vehicle.subject.force.pdof_follows {
         ("opposite to the given force on the other vehicle", "theory 5")
     } else {
         ("as given", "input")

@@ -49,7 +49,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
     });
-    let speed = recorder.tells_speed(subject.ground()).map(|told| MeasuredSpeed {
+    let speed = recorder.tells_speed(subject.case.ground_friction()).map(|told| MeasuredSpeed {
         value: told.speed,
         ln_sd: or_default("recorder.speed_error", told.error, RECORDER_SPEED_ERROR),
         // The table has its own rounding; a number may have been rounded again.

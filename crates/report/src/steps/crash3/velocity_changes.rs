@@ -55,9 +55,7 @@ fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Ste
     };
     let damage = vehicle.damage.as_ref();
     let direction = pdof_symbol(vehicle, k);
-    let subject = &vehicle.subject;
-    let of_energy = subject.energy.and_then(|given| given.moment_arm);
-    let given_arm = subject.damage.as_ref().map_or(of_energy, |given| given.moment_arm);
+    let given_arm = vehicle.subject.force.moment_arm;
     let name = format!("distance of the line of action from CG {k}");
     let point = vehicle.subject.contact.or(damage.and_then(|damage| damage.centroid));
     match (given_arm, point, vehicle.crash3_pdof()) {
