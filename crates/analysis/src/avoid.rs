@@ -542,8 +542,8 @@ impl Told {
         self.estimated.as_ref()?.no_answer()
     }
 
-    /// (–) ΔV of each vehicle by all evidence, against that (m/s) of what happened as it was solved again with
-    /// the central value of everything else.
+    /// (–) ΔV of each vehicle by all evidence, against that (m/s) of what happened as it was solved again
+    /// with the central value of everything else.
     fn shares_of(&self, solved: Option<[f64; 2]>) -> [f64; 2] {
         VehicleId::ALL.map(|id| {
             let solved = solved.map(|solved| solved[id.index()]).filter(|solved| *solved > 0.0);

@@ -41,9 +41,9 @@ impl<W> Analysis<W> {
     }
 }
 
-/// Whether the evidence that an answer does not use, or whose error it does not correct, can be weighed with
-/// the rest: a case for momentum of point masses may lack data for that, and a rest position is no evidence if
-/// the vehicle cannot be followed to it.
+/// Whether the evidence that an answer does not use, or whose error it does not correct, can be weighed
+/// with the rest: a case for momentum of point masses may lack data for that, and a rest position is no
+/// evidence if the vehicle cannot be followed to it.
 pub(crate) fn can_be_weighed(case: &Case, exact: &Analysis) -> bool {
     let is_biased = exact.energy_share().is_some();
     if exact.left_aside.is_empty() && !is_biased {
@@ -74,7 +74,8 @@ pub struct Overdetermined {
     /// Whether evidence that it does not use contradicts it, or a vehicle would be faster backward than any
     /// that backs.
     pub is_contradicted: bool,
-    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct them.
+    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct
+    /// them.
     pub energy_share: Option<f64>,
 }
 
@@ -96,16 +97,16 @@ impl Analysis {
         }
     }
 
-    /// (–) the average share of the impact's energy that crush energies by a category of stiffness show, if this
-    /// solution depends on some; it takes them as they are.
+    /// (–) the average share of the impact's energy that crush energies by a category of stiffness show, if
+    /// this solution depends on some; it takes them as they are.
     #[must_use]
     pub fn energy_share(&self) -> Option<f64> {
         self.warnings.iter().find_map(Warning::energy_share)
     }
 
     /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the
-    /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be weighed
-    /// but contradicts nothing, and if no speed is unknown.
+    /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be
+    /// weighed but contradicts nothing, and if no speed is unknown.
     #[must_use]
     pub fn overdetermined(&self) -> Option<Overdetermined> {
         if self.found.is_none() && self.both.is_none() {
@@ -157,7 +158,8 @@ pub struct Solution {
     pub outside: [[bool; 2]; 2],
     /// (m/s) the given speeds from which these differ.
     pub differs_from: [Option<f64>; 2],
-    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct them.
+    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct
+    /// them.
     pub energy_share: Option<f64>,
     /// Whether it takes a PDOF as exact that all the other evidence contradicts.
     pub has_wrong_pdof: bool,

@@ -35,8 +35,8 @@ const CAR: Usual = Usual {
     // From a light quadricycle (at most 425 kg empty, EU 168/2013) to an overloaded light truck (10,000 lb or
     // 4536 kg in the US).
     mass: [300.0, 5000.0],
-    // Cars have 150 to 250, a light one of the 1950s with its driver 110, a full van of 3.5 t on 5.9 m by 2 m 300.
-    // Exchanged pounds and kilograms change it by 2.2.
+    // Cars have 150 to 250, a light one of the 1950s with its driver 110, a full van of 3.5 t on 5.9 m by 2 m
+    // 300. Exchanged pounds and kilograms change it by 2.2.
     areal_mass: [100.0, 350.0],
     // CRASH3's classes have 1.1 to 1.7; a long van has 0.29 of 7.4 m.
     yaw_radius: [0.8, 2.2],

@@ -72,8 +72,8 @@ fn a_solution_by_energies_that_are_too_small_on_average_does_not_lead() {
     assert_eq!(pole, EvidenceMethod::DamageByObject);
 }
 
-/// Fronts with EES 25 km/h close at 50.3 km/h with e = 0.1. A vehicle that comes at 150 km/h would have met one
-/// that fled backward at 99.7 km/h, which none does; at 60 km/h, one that backed.
+/// Fronts with EES 25 km/h close at 50.3 km/h with e = 0.1. A vehicle that comes at 150 km/h would have met
+/// one that fled backward at 99.7 km/h, which none does; at 60 km/h, one that backed.
 #[test]
 fn a_solution_that_backs_too_fast_does_not_lead() {
     let vehicle = |heading: &str, speed: &str| {

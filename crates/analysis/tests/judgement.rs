@@ -82,8 +82,8 @@ fn warnings_are_those_of_the_solved_case() {
             }
             if let Ok(analysis) = analysis::crush(&file) {
                 // Damage alone is judged in full.
-                // The same centroid is where an impact places C, and the line of action of the damage alone. An
-                // energy by a category warns of an answer.
+                // The same centroid is where an impact places C, and the line of action of the damage alone.
+                // An energy by a category is a warning about an answer.
                 let collision = [
                     "crush-plane",
                     "high-restitution",

@@ -123,7 +123,11 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                     continue;
                 }
                 let report = printed(&[command, name, "--format", written]);
-                let told = if warnings.is_empty() { "No warnings." } else { "category-energy" };
+                let told = match (weighed, warnings.is_empty()) {
+                    (true, _) => "What speaks against the exact solution",
+                    (_, true) => "No warnings.",
+                    _ => "category-energy",
+                };
                 assert!(report.contains(told), "{template}");
                 // A report on one vehicle does not speak of two.
                 if written == "markdown" {

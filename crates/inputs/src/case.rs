@@ -15,7 +15,7 @@ use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
-use crate::recorder::GivenEstimate;
+use crate::recorder::{GivenEstimate, Recorder};
 use crate::scene::{GivenSitePlan, Place, Surface};
 use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
@@ -126,6 +126,12 @@ impl Find {
 }
 
 impl<T: Copy> Case<T> {
+    /// Whether a recorder of the case has a table.
+    #[must_use]
+    pub fn has_recorder_table(&self) -> bool {
+        self.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref()).any(Recorder::has_table)
+    }
+
     /// (–) the friction of the ground, if the case gives it.
     #[must_use]
     pub fn ground_friction(&self) -> Option<T> {

@@ -125,6 +125,12 @@ impl RecordersDeltaV {
 }
 
 impl Recorder {
+    /// Whether it has a table of its own or of several records.
+    #[must_use]
+    pub fn has_table(&self) -> bool {
+        self.pre_crash.is_some() || self.pulse.is_some() || !self.records.is_empty()
+    }
+
     /// The samples before the impact.
     #[must_use]
     pub fn before_impact(&self) -> Option<&PreCrash> {

@@ -361,23 +361,28 @@ impl CrashPulse {
     }
 
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
-    /// 563.5, and by more than one step in which it is stored. Its ΔV is then a lower bound. What the recorder
-    /// padded with zeros is not a part of the record, so that a record may be padded and complete.
+    /// 563.5, and by more than one step in which it is stored. Its ΔV is then a lower bound. Zeros with which
+    /// the recorder padded the record are no part of it, so that it may be padded and complete.
     #[must_use]
     pub fn is_cut(&self) -> bool {
+        const AXES: [fn(&PulseSample) -> Option<f64>; 2] = [|one| one.longitudinal, |one| one.lateral];
         let active = self.active(PulseRule::CHANGE);
         let from = active.iter().rposition(|step| !step).map_or(0, |still| still + 1);
-        let changes = |of: fn(&PulseSample) -> Option<f64>| {
-            let values: Vec<f64> = self.samples.iter().filter_map(of).collect();
-            let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-            let least = steps.filter(|step| *step > SAME_STORED).fold(f64::INFINITY, f64::min);
-            let part = self.samples[from..].iter().filter_map(of);
-            let [low, high] = part.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
-            high - low > FLICKER * least
+        let values = |of: fn(&PulseSample) -> Option<f64>, from: usize| -> Vec<f64> {
+            self.samples[from..].iter().filter_map(of).collect()
         };
-        from < active.len() && (changes(|one| one.longitudinal) || changes(|one| one.lateral))
+        let steps = AXES.map(|of| {
+            let values = values(of, 0);
+            let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+            steps.filter(|step| *step > SAME_STORED).fold(f64::INFINITY, f64::min)
+        });
+        let step = steps[0].min(steps[1]);
+        let changes = |of| {
+            let values = values(of, from);
+            let [low, high] = [f64::min, f64::max].map(|least| values.iter().copied().reduce(least));
+            low.zip(high).is_some_and(|(low, high)| high - low > FLICKER * step)
+        };
+        from < active.len() && AXES.into_iter().any(changes)
     }
 }
 

@@ -59,14 +59,8 @@ pub(crate) fn able(case: &Case) -> Vec<&'static str> {
         .into_iter()
         .filter(|purpose| obstacle(case, &judgement, *purpose).is_none())
         .map(Purpose::name)
-        .chain(has_recorder_table(case).then_some(RECORDER))
+        .chain(case.has_recorder_table().then_some(RECORDER))
         .collect()
-}
-
-/// Whether a recorder of the case has a table.
-fn has_recorder_table(case: &Case) -> bool {
-    let recorders = case.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref());
-    recorders.into_iter().any(|recorder| recorder.pre_crash.is_some() || recorder.pulse.is_some())
 }
 
 /// What a case lacks for a purpose. The judgement covers a motion and an estimate only if the case has data

@@ -84,7 +84,7 @@ fn what_is_wrong_is_said() {
 /// a flag for that, and no speed to show.
 #[test]
 fn a_look_says_whether_all_the_evidence_has_to_be_weighed() {
-    let text = fixture("rear-end.toml");
+    let text = fixture("rear-end.toml") + "\n[estimate]\ncrush_bias = \"100 %\"\n";
     assert_eq!(look(&text, "", "none")["weigh"], false);
     let more = format!("{text}\n[vehicle1.recorder]\nspeed = \"20 km/h\"\n");
     let look = look(&more, "", "scene");

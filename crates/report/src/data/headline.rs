@@ -56,13 +56,14 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
 }
 
 fn why_not_exact(why: &Overdetermined) -> Value {
-    json!({
+    let why = json!({
         "left_aside": why.left_aside,
         "refuted_by": list(&why.refuted_by, |check| check.code()),
         "contradicted": why.is_contradicted,
         // The average share of the impact's energy that its crush energies show, if it does not correct them.
         "energy_share": why.energy_share,
-    })
+    });
+    optional(["energy_share"], why)
 }
 
 /// The solution by a part of the evidence, taken as exact.

@@ -40,7 +40,7 @@ impl<'a> Headline<'a> {
                 } else if why.is_contradicted || !why.refuted_by.is_empty() {
                     "Evidence refutes the exact solution"
                 } else {
-                    "Crush energies by a category of stiffness are too small on average"
+                    "Crush energies by category are too small on average"
                 };
                 let found = vec![format!("{why_not}: the answer is the estimate from all evidence.")];
                 let how = format!(
@@ -57,14 +57,14 @@ impl<'a> Headline<'a> {
                 if missed.is_empty() {
                     page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
                     page.paragraph(format!(
-                        "{because} So all of it was weighed, each piece by its error; the intervals contain the \
+                        "{because} So all the evidence was weighed, each piece by its error; the intervals contain the \
                          errors of the method, too. `deltav estimate` shows the effect of each piece."
                     ));
                 } else {
                     page.push(Block::Answer {
                         found: vec![super::estimate::NO_COLLISION.to_owned()],
                         how: format!(
-                            "{because} So all of it was weighed. {} Each exact solution below takes a part of the evidence as \
+                            "{because} So all the evidence was weighed. {} Each exact solution below takes a part of the evidence as \
                              free of errors.",
                             super::estimate::missed(missed, &weighed.estimated.certain)
                         ),

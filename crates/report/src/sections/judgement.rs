@@ -64,11 +64,7 @@ pub(crate) const RECORDER: &str = "recorder";
 
 /// For a case with a table of a recorder, the faults by which that command cannot run: none if it can.
 pub(crate) fn recorder_faults(case: &Case) -> Option<Option<Faults>> {
-    let mut recorders = case.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref());
-    let has_table = recorders.any(|recorder| {
-        recorder.pre_crash.is_some() || recorder.pulse.is_some() || !recorder.records.is_empty()
-    });
-    has_table.then(|| match analysis::recorders(case) {
+    case.has_recorder_table().then(|| match analysis::recorders(case) {
         Err(Failure::Case(faults)) => Some(faults),
         _ => None,
     })
