@@ -448,7 +448,7 @@ impl Told {
     ) -> Result<Self, Failure> {
         let alone = &*case.without_avoid();
         let exact = if alone.reconstruct.is_some() { Some(reconstruct(alone)) } else { None };
-        let leads = |exact: &Analysis| plan.exact || exact.overdetermined().is_none();
+        let leads = |exact: &Analysis| plan.exact || exact.why_not_exact().is_none();
         let exact = match exact {
             Some(Ok(exact)) if leads(&exact) => Some(exact),
             Some(Err(failure)) if plan.exact => return Err(failure),

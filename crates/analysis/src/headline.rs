@@ -1,5 +1,5 @@
-//! The headline of a reconstruction: the exact solution if the case is just determined, and all the evidence
-//! weighed if it is over-determined.
+//! The headline of a reconstruction: the exact solution if the case is just determined and its crush energies
+//! are right on average, and otherwise all the evidence weighed.
 
 use std::ops::ControlFlow;
 
@@ -64,7 +64,7 @@ fn is_of(key: &str, pieces: &[String]) -> bool {
 /// Why the exact solution is not the answer of its case.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Overdetermined {
+pub struct WhyNotExact {
     /// How the exact solution was found.
     pub solved_by: EvidenceMethod,
     /// The keys of the evidence that it does not use.
@@ -108,7 +108,7 @@ impl Analysis {
     /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be
     /// weighed but contradicts nothing, and if no speed is unknown.
     #[must_use]
-    pub fn overdetermined(&self) -> Option<Overdetermined> {
+    pub fn overdetermined(&self) -> Option<WhyNotExact> {
         if self.found.is_none() && self.both.is_none() {
             return None;
         }
@@ -118,7 +118,7 @@ impl Analysis {
             Warning::MovesBackward { speed, found: true, .. } => *speed < -FASTEST_BACK,
             _ => false,
         };
-        let why = Overdetermined {
+        let why = WhyNotExact {
             solved_by: self.solved_by(),
             left_aside: self.left_aside.clone(),
             refuted_by: refuted.copied().collect(),
@@ -135,7 +135,7 @@ impl Analysis {
 #[non_exhaustive]
 pub struct Weighed {
     /// Why no exact solution is the answer.
-    pub why: Overdetermined,
+    pub why: WhyNotExact,
     /// How the evidence was weighed.
     pub plan: EstimatePlan,
     /// The result.
@@ -180,7 +180,7 @@ pub fn weigh(
     plan: &EstimatePlan,
     progress: &mut (dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Option<Weighed>, Failure> {
-    let Some(why) = exact.overdetermined() else { return Ok(None) };
+    let Some(why) = exact.why_not_exact() else { return Ok(None) };
     let mut estimated = estimate(case, plan, progress)?;
     let solutions = solutions(case, exact, &estimated);
     for vehicle in VehicleId::ALL.into_iter().filter(|id| !may_back(case, *id)) {

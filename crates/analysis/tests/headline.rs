@@ -43,7 +43,7 @@ fn contradicted(warnings: &[Warning]) -> Vec<(VehicleId, Evident, f64)> {
 fn what_is_just_determined_is_solved_exactly() {
     for case in [read(case::EXAMPLE), with(REAR_END, "[estimate]\ncrush_bias = \"100 %\"")] {
         let exact = reconstruct(&case).unwrap();
-        assert!(exact.left_aside.is_empty() && exact.overdetermined().is_none());
+        assert!(exact.left_aside.is_empty() && exact.why_not_exact().is_none());
         let weighed = weigh(&case, &exact, &PLAN, &mut |_, _, _| panic!("nothing is weighed")).unwrap();
         assert!(weighed.is_none());
     }
@@ -57,7 +57,7 @@ fn a_solution_by_energies_that_are_too_small_on_average_does_not_lead() {
     for (text, share) in [(REAR_END, 0.59), (tree, 0.46)] {
         let case = read(text);
         let exact = reconstruct(&case).unwrap();
-        let why = exact.overdetermined().unwrap();
+        let why = exact.why_not_exact().unwrap();
         assert!(why.left_aside.is_empty() && why.refuted_by.is_empty() && !why.is_contradicted);
         assert!((why.energy_share.unwrap() - share).abs() < 0.005, "{why:?}");
 
@@ -91,7 +91,7 @@ fn a_solution_that_backs_too_fast_does_not_lead() {
         );
         let exact = reconstruct(&read(&text)).unwrap();
         assert!((exact.speed(VehicleId::Two) * 3.6 + backs).abs() < 0.05, "{}", exact.speed(VehicleId::Two));
-        assert_eq!(exact.overdetermined().is_none(), leads, "{speed}");
+        assert_eq!(exact.why_not_exact().is_none(), leads, "{speed}");
     }
 }
 
@@ -107,7 +107,7 @@ fn a_recorder_that_contradicts_the_crush_leads_to_a_weighed_headline() {
     assert_eq!(exact.left_aside, ["vehicle1.recorder.speed"]);
     let told = contradicted(&exact.warnings);
     assert_eq!(told, [(VehicleId::One, Evident::RecordedSpeed, recorded)]);
-    assert!(exact.overdetermined().unwrap().is_contradicted);
+    assert!(exact.why_not_exact().unwrap().is_contradicted);
 
     let quietly = &mut |_, _, _| ControlFlow::Continue(());
     let weighed = weigh(&case, &exact, &PLAN, quietly).unwrap().unwrap();
@@ -126,7 +126,7 @@ fn a_recorder_that_agrees_contradicts_nothing() {
     let case = with(REAR_END, &format!("[vehicle1.recorder]\nspeed = \"{} m/s\"", 1.05 * alone));
     let exact = reconstruct(&case).unwrap();
     assert!(contradicted(&exact.warnings).is_empty());
-    let why = exact.overdetermined().unwrap();
+    let why = exact.why_not_exact().unwrap();
     assert_eq!((why.left_aside.len(), why.is_contradicted), (1, false));
 }
 
@@ -326,6 +326,6 @@ fn an_impossible_restitution_refutes_a_solution() {
     let exact = reconstruct(&read(&text)).unwrap();
     let [one, two] = VehicleId::ALL.map(|id| exact.speed(id));
     assert!((one - 14.0).abs() < 1e-6 && (two - 8.0).abs() < 1e-6, "{one} {two}");
-    let codes: Vec<_> = exact.overdetermined().unwrap().refuted_by.iter().map(|check| check.code()).collect();
+    let codes: Vec<_> = exact.why_not_exact().unwrap().refuted_by.iter().map(|check| check.code()).collect();
     assert_eq!(codes, ["momentum-restitution"]);
 }

@@ -35,7 +35,7 @@ fn near(what: &str, found: f64, printed: f64, within: f64) {
 /// (m/s) the speeds before and the ΔV.
 fn by_momentum(text: &str) -> ([f64; 2], [f64; 2]) {
     let analysis = reconstruct(&read(text)).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
-    assert!(analysis.overdetermined().is_none(), "{text}\n{:?}", analysis.checks);
+    assert!(analysis.why_not_exact().is_none(), "{text}\n{:?}", analysis.checks);
     let both = analysis.both.unwrap();
     (both.speeds, both.delta_v)
 }
@@ -672,7 +672,7 @@ fn evidence_that_no_collision_has_leads_nothing() {
 
     let locked = read(&text.replace("[scene]\n", "[scene]\nlocked_together = true\n"));
     let exact = reconstruct(&locked).unwrap();
-    assert!(exact.overdetermined().is_none(), "{:?}", exact.checks);
+    assert!(exact.why_not_exact().is_none(), "{:?}", exact.checks);
     let estimated = estimate(&locked, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     assert!(estimated.unused.iter().all(|unused| unused.key != "scene.locked_together"));
     // The contact points put the CGs 2 m from where the slides of the source begin.

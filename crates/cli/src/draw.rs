@@ -44,10 +44,10 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     }
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
     let analysis = answered(subject.analysis(&file.case), &file, units)?;
-    let overdetermined = analysis.overdetermined().is_some();
+    let is_exact = analysis.why_not_exact().is_none();
     let drawing = DrawingRequest { subject, plain };
     // Readers who are not engineers get the answer, or no speeds.
-    let weighed = if plain && overdetermined { weigh(&analysis, &file, units)? } else { None };
+    let weighed = if plain && !is_exact { weigh(&analysis, &file, units)? } else { None };
     let drawing = drawing.draw(&file, &analysis, weighed.as_ref(), units, site_plan)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
     let (warnings, command) = match (analysis.warnings.len(), &analysis.found, analysis.exchange()) {
@@ -64,10 +64,10 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         let warnings = if warnings == 1 { "1 warning".to_owned() } else { format!("{warnings} warnings") };
         say(&format!("{case} has {warnings}: `deltav {command} {case}` prints them."))?;
     }
-    if overdetermined && !plain && subject != Subject::Damage {
+    if !is_exact && !plain && subject != Subject::Damage {
         say(&format!(
-            "{case} has more evidence than the exact solution that is drawn: `deltav reconstruct {case}` weighs \
-             all of it."
+            "the drawing shows an exact solution, which is not the answer of {case}: `deltav reconstruct {case}` says why, and \
+             weighs all the evidence."
         ))?;
     }
     if subject == Subject::Scene && analysis.exchange().is_none() {

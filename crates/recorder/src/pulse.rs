@@ -349,7 +349,7 @@ impl CrashPulse {
         // A maximum before the end of the record counts if ΔV then falls by more than its rounding.
         let past = self.change(first, end) - self.change(first, self.samples.len() - 1);
         let complete = match rule {
-            PulseRule::GreatestDeltaV => ends_within || (end < self.samples.len() - 1 && past > TURNED),
+            PulseRule::GreatestDeltaV => !self.is_cut() || (end < self.samples.len() - 1 && past > TURNED),
             _ => ends_within,
         };
         let [from, to] = [self.samples[first], self.samples[end]];

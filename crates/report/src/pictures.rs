@@ -288,7 +288,7 @@ pub fn plain_motion(
 
 /// Why the drawing of an exact solution is not the answer; empty if it is.
 fn caveat(analysis: &Analysis) -> String {
-    let Some(why) = analysis.overdetermined() else { return String::new() };
+    let Some(why) = analysis.why_not_exact() else { return String::new() };
     let reason = if !why.refuted_by.is_empty() {
         "its own checks refute it"
     } else if why.is_contradicted {
@@ -321,7 +321,7 @@ enum PlainSpeed<'a> {
 
 impl<'a> PlainSpeed<'a> {
     fn of(analysis: &Analysis, weighed: Option<&'a Weighed>, vehicle: VehicleId) -> Self {
-        if analysis.overdetermined().is_none() {
+        if analysis.why_not_exact().is_none() {
             return Self::Exact;
         }
         let of_found = analysis.found.as_ref().map(|found| found.unknown);

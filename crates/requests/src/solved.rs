@@ -73,7 +73,7 @@ impl From<Analysis> for SolvedCase {
 impl SolvedCase {
     /// Whether the options ask for more than the exact solution.
     pub(crate) fn leaves_open(&self, options: &ReconstructOptions, case: &Case) -> bool {
-        (options.weigh && self.analysis.overdetermined().is_some()) || options.has_method(case)
+        (options.weigh && self.analysis.why_not_exact().is_some()) || options.has_method(case)
     }
 
     pub(crate) fn completed(

@@ -128,7 +128,7 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
                 json!({
                     "ok": true,
                     "headline": headline,
-                    "weigh": analysis.is_some_and(|analysis| analysis.overdetermined().is_some()),
+                    "weigh": analysis.is_some_and(|analysis| analysis.why_not_exact().is_some()),
                     "warnings": analysis.map_or(json!([]), |analysis| warnings(&given, analysis)),
                 })
             }

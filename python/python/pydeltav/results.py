@@ -144,7 +144,7 @@ class WhyNotExact(Record):
     contradicted: bool
     """Whether other evidence contradicts it, or a vehicle would back faster than any does."""
     energy_share: float | None
-    """The average share of the impact's energy that its crush energies show, if it does not correct them."""
+    """(–) the average share of the impact's energy that its crush energies show, if it does not correct them."""
 
 
 class HeadlineFigure(Record):

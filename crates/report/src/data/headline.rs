@@ -1,7 +1,7 @@
 //! The headline of a reconstruction as JSON, in SI units.
 
 use analysis::quantities::{DELTA_V, SPEED};
-use analysis::{Agreement, Analysis, Output, Overdetermined, Solution, Weighed};
+use analysis::{Agreement, Analysis, Output, Solution, Weighed, WhyNotExact};
 use pim_core::VehicleId;
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
     if analysis.found.is_none() && analysis.both.is_none() {
         return None;
     }
-    let why = weighed.map(|weighed| weighed.why.clone()).or_else(|| analysis.overdetermined());
+    let why = weighed.map(|weighed| weighed.why.clone()).or_else(|| analysis.why_not_exact());
     let agreement = |of: Agreement| weighed.map(|weighed| weighed.estimated.with_agreement(of));
     let figure = |output: Output, exact: f64| {
         let Some(weighed) = weighed else { return json!({ "value": exact + 0.0 }) };
@@ -44,7 +44,7 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
                 (None, None) => "exact",
                 _ => "none",
             },
-            "why_not_exact": why.as_ref().map(why_not_exact),
+            "why_not_exact": why.as_ref().map(reasons),
             "converged": weighed.map(|weighed| weighed.estimated.doubts().is_empty()),
             // Evidence that all the rest contradicts, and that it makes doubtful.
             "contradicting": agreement(Agreement::Contradicts),
@@ -55,7 +55,7 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
     ))
 }
 
-fn why_not_exact(why: &Overdetermined) -> Value {
+fn reasons(why: &WhyNotExact) -> Value {
     let why = json!({
         "left_aside": why.left_aside,
         "refuted_by": list(&why.refuted_by, |check| check.code()),

@@ -65,7 +65,7 @@ pub fn handover(
     let supplements =
         Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
     let Supplements { uncertainty, sensitivity, validation, site_plan, weighed, estimated: _ } = supplements;
-    let why = analysis.overdetermined();
+    let why = analysis.why_not_exact();
     let headline = match (weighed, &why) {
         (Some(weighed), _) => Headline::Weighed(weighed),
         (None, Some(why)) => Headline::Unweighed(why),
@@ -385,7 +385,7 @@ fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<S
 /// is not the answer.
 #[must_use]
 pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String> {
-    if uncertainty.nominal.overdetermined().is_some() {
+    if uncertainty.nominal.why_not_exact().is_some() {
         return Vec::new();
     }
     let line = |output: &UncertainOutput| {

@@ -1,7 +1,7 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
 //! weighed if there is more, followed by the exact solutions and the objections to each.
 
-use analysis::{Overdetermined, Seen, Solution, Weighed};
+use analysis::{Seen, Solution, Weighed, WhyNotExact};
 use pim_core::VehicleId;
 
 use super::chosen::or_none;
@@ -17,7 +17,7 @@ pub(crate) enum Headline<'a> {
     /// The exact solution: the case just determines it.
     Exact,
     /// Nothing: the case has more evidence, which was not weighed here.
-    Unweighed(&'a Overdetermined),
+    Unweighed(&'a WhyNotExact),
     /// All the evidence.
     Weighed(&'a Weighed),
 }
@@ -88,7 +88,7 @@ impl<'a> Headline<'a> {
 }
 
 /// Why no exact solution is the answer.
-fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
+fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
     let mut reasons = Vec::new();
     if !why.left_aside.is_empty() {
         let keys = words::quoted(&why.left_aside, ", ");
@@ -133,7 +133,7 @@ fn columns() -> Vec<Column> {
 }
 
 /// The exact solution of an analysis, if nothing else was solved.
-fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
+fn exact(why: &WhyNotExact, analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution", columns());
     let of_moving = |of: &dyn Fn(VehicleId) -> Option<f64>| {

@@ -27,7 +27,7 @@ fn inferred_crush(inferred: &Inferred, units: Units) -> String {
 /// and the warnings.
 #[must_use]
 pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
-    match analysis.overdetermined() {
+    match analysis.why_not_exact() {
         Some(why) => headed(case, analysis, Headline::Unweighed(&why), units),
         None => headed(case, analysis, Headline::Exact, units),
     }

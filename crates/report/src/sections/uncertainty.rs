@@ -83,7 +83,7 @@ impl<'a> Page<'a> {
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");
         let mut lines = Vec::new();
-        if uncertainty.nominal.overdetermined().is_some() {
+        if uncertainty.nominal.why_not_exact().is_some() {
             lines.push(format!(
                 "All intervals are those of the exact solution by {}, which is not the answer of the case: \
                  `deltav reconstruct` says why, and weighs all evidence.",
