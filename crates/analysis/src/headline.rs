@@ -108,7 +108,7 @@ impl Analysis {
     /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be
     /// weighed but contradicts nothing, and if no speed is unknown.
     #[must_use]
-    pub fn overdetermined(&self) -> Option<WhyNotExact> {
+    pub fn why_not_exact(&self) -> Option<WhyNotExact> {
         if self.found.is_none() && self.both.is_none() {
             return None;
         }
