@@ -42,7 +42,7 @@ fn a_drawing_never_shows_a_speed_that_is_not_the_answer_as_one() {
     let svg = String::from_utf8(drawn.stdout).unwrap();
     assert!(svg.contains("not the answer: other evidence of the case contradicts it.</text>"), "{svg}");
     let said = String::from_utf8(drawn.stderr).unwrap();
-    assert!(said.contains("`deltav reconstruct") && said.contains("weighs all of it."), "{said}");
+    assert!(said.contains("`deltav reconstruct") && said.contains("weighs all the evidence."), "{said}");
 }
 
 /// A contact point 1.8 m before the outline of the vehicle, in a case without speeds.
