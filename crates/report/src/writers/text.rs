@@ -89,7 +89,7 @@ impl Page {
                 self.wrapped(how);
             }
             Block::Notice { count, .. } => {
-                self.marked(YELLOW, &wrapped(&format!("{count}, at the end."), self.line))
+                self.marked(YELLOW, &wrapped(&format!("{count}, at the end."), self.line));
             }
             Block::Warnings { warnings, more } => {
                 for (code, message) in warnings {
