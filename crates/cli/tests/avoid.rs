@@ -286,6 +286,28 @@ fn evidence_makes_a_probability() {
     }
 }
 
+/// The crush energy by a category of a car against a tree leaves its speed open, and a recorder tells it.
+#[test]
+fn a_speed_that_the_evidence_leaves_open_is_said_to_be() {
+    let tree = include_str!("../../../fixtures/leaning-tree.toml");
+    let with = |more: &str| {
+        format!(
+            "{tree}{more}[avoid]\nlimit = \"30 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ distance = \"30 m\" }}\n"
+        )
+    };
+    let open = "a speed that the evidence does not determine, taken as";
+    for (more, is_open) in [("", true), ("[vehicle1.recorder]\nspeed = \"35 km/h\"\n", false)] {
+        let case = with(more);
+        let output = deltav(&["avoid", &written("tree.toml", &case)]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(text.contains(open), is_open, "{text}");
+        assert_eq!(text.contains("the probabilities depend on what is assumed"), is_open, "{text}");
+        assert_eq!(avoid("tree.toml", &case)["speed_determined"], !is_open);
+    }
+}
+
 #[test]
 fn no_vehicle_brakes_with_seven_g() {
     refused(

@@ -1366,6 +1366,8 @@ class AvoidanceAnswer(Record):
     """(m/s) its speed at the demand."""
     speed_source: str
     """``"avoid"``, ``"vehicle"``, ``"reconstruct"``, ``"estimate"``, ``"phases"`` or ``"recorder"``."""
+    speed_determined: bool
+    """False where the evidence behind the speed leaves it open, so that the probability depends on the prior."""
     exact_speed_at_impact: float | None
     """(m/s) by the exact solution that leads ``reconstruct``; None unless the speed comes from ``estimate``."""
     limit: float

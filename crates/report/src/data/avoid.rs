@@ -50,6 +50,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             SpeedSource::Phases => "phases",
             SpeedSource::Recorder => "recorder",
         },
+        "speed_determined": found.undetermined().is_none(),
         // By the exact solution that leads `reconstruct`; null unless the speed comes from `estimate`.
         "exact_speed_at_impact": found.exact_speed(),
         "limit": scene.limit,
