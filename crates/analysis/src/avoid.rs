@@ -366,12 +366,14 @@ fn found(
     let hiding = hiding.transpose().map_err(holds_the_eye)?;
     let of_plan = |plan| of_ranges(case, told.as_deref(), by_recorder.as_ref(), &obstacles, plan);
     let chance = plan.map_or(Ok(None), of_plan)?;
-    let solved = |meeting| delta_v(case, form.vehicle, meeting, other);
-    let shares = told.as_ref().map_or([1.0; 2], |told| told.shares_of(solved(Some(scene.what_happened()))));
-    let [runs, more_runs] = runs(&scene, &|meeting| {
-        let [one, two] = solved(meeting)?;
-        Some([one * shares[0], two * shares[1]])
-    });
+    let [mut runs, mut more_runs] = runs(&scene, &|meeting| delta_v(case, form.vehicle, meeting, other));
+    if let Some(told) = &told {
+        // The first run is what happened.
+        let shares = told.shares_of(runs[0].delta_v);
+        for delta_v in runs.iter_mut().chain(&mut more_runs).filter_map(|run| run.delta_v.as_mut()) {
+            *delta_v = [delta_v[0] * shares[0], delta_v[1] * shares[1]];
+        }
+    }
     let enough = Enough {
         speed: scene.just_avoiding(),
         deceleration: scene.least_deceleration(false),
@@ -708,7 +710,8 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(Option<Meeting>) -> Option<[f64; 2]
     let run = |hypothesis, course: AvoidCourse| {
         let is_actual = hypothesis == Hypothesis::Actual;
         let meeting = if is_actual {
-            Some(scene.what_happened())
+            let other = scene.same_line.as_ref().map(|line| line.speed);
+            Some(Meeting { time: scene.time, speed: scene.at_impact, other })
         } else {
             scene.meeting(&course).filter(|meeting| !scene.is_end(meeting))
         };

@@ -74,15 +74,21 @@ pub(crate) fn left_aside(keys: &[String], can_be_weighed: bool) -> Option<Block>
     (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
 
-/// The number of warnings for the top of a report, with the codes of those that not most cases have and the
-/// heading that lists them; `None` if most cases have all of them.
-pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
-    let mut codes: Vec<&str> = Vec::new();
+/// The codes of the warnings that not most cases have, each once.
+pub(crate) fn special_codes(warnings: &[SeenWarning]) -> Vec<&'static str> {
+    let mut codes = Vec::new();
     for warning in warnings.iter().map(SeenWarning::warning).filter(|warning| !warning.is_common()) {
         if !codes.contains(&warning.code()) {
             codes.push(warning.code());
         }
     }
+    codes
+}
+
+/// The number of warnings for the top of a report, with the codes of those that not most cases have and the
+/// heading that lists them; `None` if most cases have all of them.
+pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
+    let codes = special_codes(warnings);
     let count = match warnings.len() {
         1 => "1 warning".to_owned(),
         several => format!("{several} warnings"),

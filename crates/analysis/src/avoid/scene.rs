@@ -210,12 +210,6 @@ impl AvoidCourse {
 }
 
 impl AvoidScene {
-    /// The meeting that led to the impact.
-    pub(super) fn what_happened(&self) -> Meeting {
-        let other = self.same_line.as_ref().map(|line| line.speed);
-        Meeting { time: self.time, speed: self.at_impact, other }
-    }
-
     /// The scene of these numbers, with the speeds that are sought, from where or when on `since` says;
     /// without obstacles.
     pub(crate) fn since(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {

@@ -2,8 +2,8 @@
 
 use analysis::{
     ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy, GIVES_WAY,
-    Hiding, Hypothesis, NoEstimate, SIGHT_LOOK_BACK, SameLine, SeenWarning, Sight, SpeedSource, Unbraked,
-    View, Warning, obstacle_name,
+    Hiding, Hypothesis, NoEstimate, SIGHT_LOOK_BACK, SameLine, Sight, SpeedSource, Unbraked, View,
+    obstacle_name,
 };
 use case::{
     Along, Avoid, BrakingForm, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherMotionForm,
@@ -20,7 +20,7 @@ use crate::pictures;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
 use crate::units::{Measure, Units, grouped, number};
-use crate::warnings::message;
+use crate::warnings::{message, special_codes};
 use crate::words::{quoted, run_words};
 
 /// What avoidability is not.
@@ -338,15 +338,8 @@ fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
             return said.map(|said| format!("Note that {said}.")).collect();
         }
     };
-    let mut codes: Vec<&str> = found
-        .speed_warnings
-        .iter()
-        .map(SeenWarning::warning)
-        .filter(|warning| !warning.is_common())
-        .map(Warning::code)
-        .collect();
+    let mut codes = special_codes(&found.speed_warnings);
     codes.sort_unstable();
-    codes.dedup();
     if codes.is_empty() {
         return Vec::new();
     }

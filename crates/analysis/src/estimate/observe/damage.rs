@@ -191,9 +191,7 @@ pub(super) fn pdof(subject: Subject<'_>, data: &VehicleData, notes: &mut Notes) 
 /// The PDOF that the case gives for a vehicle itself.
 fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
     let pdof = data.force.pdof.filter(|_| !data.force.pdof_follows)?;
-    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
-    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
-    let is_side = matches!(side, Some(Side::Left | Side::Right));
+    let is_side = matches!(vehicle.damaged_side(), Some(Side::Left | Side::Right));
     let coded = FITTED.coded(pdof, is_side);
     let hour = if data.force.pdof_is_hour { HOUR_SD } else { 0.0 };
     Some(CodedPdof { scale: Real::sqrt(coded.scale * coded.scale + hour * hour), ..coded })
