@@ -82,8 +82,8 @@ pub enum InvalidInput {
     },
     /// A stretch of constant acceleration in which the vehicle would stop and back.
     #[error(
-        "a stretch that begins at {start:.2} m/s would lose more speed than that, so that the vehicle would stand before the \
-         stretch ends; make it shorter, or the deceleration less"
+        "a stretch that begins at {start:.2} m/s would lose more speed than that: the vehicle would stop before the stretch \
+         ends; make the stretch shorter or the deceleration lower"
     )]
     StopsWithin {
         /// (m/s) the speed where it begins.

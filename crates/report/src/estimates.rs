@@ -354,8 +354,8 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::PdofsDiffer => [
             "pdofs_differ",
-            "both PDOFs cannot be of one force, as the warning says: of each collision, the one that is nearer to it counts",
-            "the right PDOF or heading: one of them is wrong",
+            "the two PDOFs cannot belong to one force (see the warning); for each collision that is drawn, the PDOF nearer to it counts",
+            "the correct PDOF or heading; one of them is wrong",
         ],
         UnusedReason::Wreck => [
             "wreck",

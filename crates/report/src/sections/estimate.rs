@@ -97,8 +97,8 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
 /// The real collisions on which such an interval was tested.
 fn tested(class: Option<&TestedClass>) -> String {
     let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
-        return "The method has not been tested on real crashes with this combination of evidence, so how often such an \
-                interval is right is unknown."
+        return "The method has not been tested on real crashes with this combination of evidence, so it is unknown how \
+                often such an interval is right."
             .to_owned();
     };
     let off = rms.map_or_else(String::new, |rms| {
@@ -421,10 +421,10 @@ impl<'a> Page<'a> {
         if is_judged {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
-                 others. – : that run has not converged, or the piece is a bound, which has no p-value. ",
+                 others. A dash marks a run that has not converged, or a bound: a bound has no p-value. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
-            words.push_str("– : only a run without the piece can show this. ");
+            words.push_str("A dash marks what only a run without the piece can show. ");
         }
         words.push_str(&format!(
             "The p-value is the probability, given all other evidence, of an observation at least this far off. For \
