@@ -77,8 +77,9 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             };
             let neither = NEITHER_KNOWN.iter().find(|(name, _)| *name == template);
             // Weighing all evidence takes long, and uses the same numbers in either system.
-            let is_exact = neither.is_some() && units == "us";
-            let result = json(command, if is_exact { &["--exact"] } else { &[] });
+            let is_exact = units == "us" && !alone;
+            let exact: &[&str] = if is_exact { &["--exact"] } else { &[] };
+            let result = json(command, exact);
             if let Some((_, true_speeds)) = neither {
                 let second = text.split("and vehicle 2 at ").nth(1).unwrap();
                 let second: f64 = second.split_whitespace().next().unwrap().parse().unwrap();
@@ -122,8 +123,10 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 if neither.is_some() || (units == "us" && written != "markdown") {
                     continue;
                 }
-                let report = printed(&[command, name, "--format", written]);
-                let told = match (weighed, warnings.is_empty()) {
+                let is_weighed = weighed && written == "text";
+                let exact: &[&str] = if alone || is_weighed { &[] } else { &["--exact"] };
+                let report = printed(&[&[command, name, "--format", written], exact].concat());
+                let told = match (is_weighed, warnings.is_empty()) {
                     (true, _) => "What speaks against the exact solution",
                     (_, true) => "No warnings.",
                     _ => "category-energy",
@@ -361,8 +364,9 @@ fn the_templates_with_mph_are_those_in_si_units_but_for_speeds() {
                 assert_eq!(si, uk);
             }
         }
-        let command = if template == "one-vehicle" { "crush" } else { "reconstruct" };
-        assert!(printed(&[command, name, "--units", "uk"]).contains(" mph"), "{template}");
+        let command: &[&str] =
+            if template == "one-vehicle" { &["crush"] } else { &["reconstruct", "--exact"] };
+        assert!(printed(&[command, &[name, "--units", "uk"]].concat()).contains(" mph"), "{template}");
     }
 }
 

@@ -29,7 +29,7 @@ fn two_unknown_speeds_follow_from_the_motion_after_the_impact() {
             });
             fs::write(&path, lines.collect::<String>()).unwrap();
             let name = path.to_str().unwrap();
-            serde_json::from_str(&deltav(&["reconstruct", name, "--format", "json"])).unwrap()
+            serde_json::from_str(&deltav(&["reconstruct", name, "--exact", "--format", "json"])).unwrap()
         };
         let vector = |of: &Value, key: &str| -> [f64; 2] {
             [0, 1].map(|axis| of["vehicle2"][key][axis].as_f64().unwrap())
