@@ -1,7 +1,7 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::quantities as rows;
-use analysis::{Analysis, BothFound, Crash3, Damage, Exchange, Found, Inferred, Seen, Weighed};
+use analysis::{Analysis, BothFound, Crash3, Damage, Exchange, Found, Inferred, Seen, Weighed, is_uncertain};
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
 use pim_core::{Energy, Regime, VehicleId};
@@ -63,6 +63,9 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     }
     if headline.is_exact() {
         // Many read no further than the first screen.
+        if analysis.found.is_some() || analysis.both.is_some() {
+            page.document.paragraph(taken_as_exact(case));
+        }
         page.document.blocks.extend(warnings::notice(&of_case, None));
         // Any other headline names the evidence that the figures do not use.
         page.document.blocks.extend(warnings::left_aside(&analysis.left_aside, analysis.can_be_weighed));
@@ -94,6 +97,17 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
         axes::conventions(case.axes)
     ));
     page.document
+}
+
+/// Why an exact solution has no interval, and what gives one.
+fn taken_as_exact(case: &Case) -> &'static str {
+    if is_uncertain(case) {
+        "No interval: every input is taken at its central value, and the method as exact. `deltav uncertainty` gives \
+         intervals by the ranges of the inputs, `deltav estimate` with the errors of the method, too."
+    } else {
+        "No interval: the inputs and the method are taken as exact. `deltav estimate` gives intervals with the errors of \
+         both."
+    }
 }
 
 struct Page<'a> {
