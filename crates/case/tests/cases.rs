@@ -506,6 +506,15 @@ fn a_curve_of_restitution_is_read_passed_on_and_written() {
     }
 }
 
+/// An answer without any number would look like one without any warning.
+#[test]
+fn damage_that_no_vehicle_has_is_missing() {
+    for text in ["[vehicle1]\n[vehicle2]\n", "[vehicle1]\nmass = \"1500 kg\"\n[vehicle2]\nfixed = true\n"] {
+        let missing = read(text).case.damage().unwrap_err().to_string();
+        assert!(missing.contains("vehicle1.crush"), "{missing}");
+    }
+}
+
 /// For the damage alone, e is required only if it is one number.
 #[test]
 fn crush_alone_has_the_restitution_of_the_law() {

@@ -45,7 +45,7 @@ impl ChancePicture {
     pub fn draw(&self) -> Drawing {
         let all = || self.points.iter().map(|point| point[0]).chain(self.marks.iter().map(|mark| mark.value));
         let across = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
-        let chart = Chart { area: PLOT, left: EDGE, across, upward: [0.0, 1.0] };
+        let chart = Chart::new(PLOT, EDGE, across, [0.0, 1.0]);
         let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let edge = |of: usize| self.points.iter().map(move |point| (point[0], point[of]));

@@ -37,7 +37,24 @@ pub(crate) struct Chart {
     pub(crate) upward: [f64; 2],
 }
 
+/// An interval that has a width: around its end, or from 0 to 1, if the data give none.
+fn with_width([low, high]: [f64; 2]) -> [f64; 2] {
+    let least = 1e-13 * low.abs().max(high.abs());
+    match high - low {
+        width if width.is_finite() && width > least => [low, high],
+        _ if low.is_finite() && high.is_finite() => {
+            let half = (0.5 * low.abs()).max(0.5);
+            [low - half, low + half]
+        }
+        _ => [0.0, 1.0],
+    }
+}
+
 impl Chart {
+    pub(crate) fn new(area: Rect, left: f64, across: [f64; 2], upward: [f64; 2]) -> Self {
+        Self { area, left, across: with_width(across), upward: with_width(upward) }
+    }
+
     pub(crate) fn at(&self, across: f64, upward: f64) -> Point {
         let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
         Point::new(

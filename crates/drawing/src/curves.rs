@@ -67,7 +67,7 @@ impl CurvesPicture {
             let area = Rect::new(EDGE + 76.0, top, WIDTH - EDGE - 16.0, top + self.height);
             let across = panel.ends.unwrap_or_else(|| panel.range(0));
             let upward = panel.range(1);
-            let chart = Chart { area, left: EDGE, across, upward };
+            let chart = Chart::new(area, EDGE, across, upward);
             chart.draw(&mut canvas, &panel.across, &panel.upward, MOST);
             if upward[0] < 0.0 {
                 canvas.grid(chart.at(across[0], 0.0), chart.at(across[1], 0.0), THIN);

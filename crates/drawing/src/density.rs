@@ -91,6 +91,6 @@ impl DensityPicture {
         let across = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
         let most = points().map(|point| point[1]).fold(0.0, f64::max);
         let upward = [0.0, IntervalMarks::upward(PLOT, most)];
-        Chart { area: PLOT, left: EDGE, across, upward }
+        Chart::new(PLOT, EDGE, across, upward)
     }
 }

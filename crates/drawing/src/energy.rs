@@ -101,7 +101,7 @@ impl EnergyPicture {
                 *left -= bar.energy;
                 Some(*left)
             })
-            .fold(initial.energy, f64::max);
+            .fold(initial.energy.max(f64::MIN_POSITIVE), f64::max);
         let x = |joule: f64| LEFT + joule.max(0.0) / highest * (RIGHT - LEFT);
         let mut y = HEADER + STEP / 2.0;
         initial.draw(&mut canvas, "initial", [x(0.0), x(initial.energy)], y, (EDGE_OF_BAR, PALE));

@@ -76,6 +76,6 @@ impl HistogramPicture {
         let across = [marks.into_iter().fold(self.low, f64::min), marks.into_iter().fold(high, f64::max)];
         let most = self.shares.iter().copied().fold(0.0, f64::max);
         let upward = [0.0, IntervalMarks::upward(PLOT, most)];
-        Chart { area: PLOT, left: EDGE, across, upward }
+        Chart::new(PLOT, EDGE, across, upward)
     }
 }

@@ -61,7 +61,7 @@ impl JointPicture {
         let mut canvas = legend::page(self.name, PAGE, &self.title, &self.subtitle);
         let [across, upward] = self.ends;
         let area = Rect::new(LEFT, top, LEFT + PLOT, top + PLOT);
-        let chart = Chart { area, left: EDGE, across, upward };
+        let chart = Chart::new(area, EDGE, across, upward);
         chart.draw(&mut canvas, &self.across, &self.upward, [MOST, MOST]);
         for draw in &self.draws {
             canvas.dot("", chart.at(draw[0], draw[1]), RADIUS, None, DRAW);

@@ -91,11 +91,11 @@ impl PathTimePicture {
                 .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
         }
         let mut canvas = legend::page(NAME, WIDTH, &self.title, &self.subtitle);
-        let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
+        let chart = Chart::new(PLOT, EDGE, [0.0, self.until], self.reach);
         chart.draw(&mut canvas, &self.time, &self.way, MOST);
 
         if let Some((times, _)) = &self.zone {
-            let [from, to] = times.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
+            let [from, to] = times.map(|time| chart.at(time.clamp(0.0, chart.across[1]), 0.0));
             let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
             canvas.labels.protect(bar);
             canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);

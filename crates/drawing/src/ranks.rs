@@ -45,7 +45,7 @@ impl RanksPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let most = self.counts.iter().copied().fold(self.band[1], f64::max) * BEYOND;
-        let chart = Chart { area: PLOT, left: EDGE, across: [0.0, 1.0], upward: [0.0, most] };
+        let chart = Chart::new(PLOT, EDGE, [0.0, 1.0], [0.0, most]);
         let mut canvas = legend::page(self.name, WIDTH, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         chart.bars(&mut canvas, 0.0, 1.0 / count(self.counts.len().max(1)), &self.counts);

@@ -111,7 +111,7 @@ impl ReconciliationPicture {
         });
         // The page does not extend to a pole of the work.
         let most = ABOVE * self.curve.iter().map(|point| point.sought).fold(self.found[1], f64::max);
-        Chart { area: PLOT, left: EDGE, across, upward: [0.0, most] }
+        Chart::new(PLOT, EDGE, across, [0.0, most])
     }
 
     /// (J) the required work at a speed between the points of the curve.

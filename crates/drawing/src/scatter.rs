@@ -83,7 +83,7 @@ impl ScatterPicture {
         for (number, panel) in (1_usize..).zip(&self.panels) {
             let right = left + PANEL - BESIDE;
             let area = Rect::new(right - PLOT, top, right, top + PLOT);
-            let chart = Chart { area, left, across: [0.0, end], upward: [0.0, end] };
+            let chart = Chart::new(area, left, [0.0, end], [0.0, end]);
             canvas.text(Point::new(left, top - 16.0 - TITLE), &panel.title, SMALL, Anchor::Start, BLACK);
             chart.draw(&mut canvas, &self.across, &self.upward, [MOST, MOST]);
             panel.draw(&mut canvas, &chart, number, end);

@@ -923,3 +923,32 @@ fn a_line_of_sight_passes_the_corner_of_an_obstacle() {
     let feet = svg.split(" ft</text>").next().unwrap().rsplit('>').next().unwrap().parse::<f64>().unwrap();
     assert!((bar / across - feet * 0.3048 / 12.0).abs() < 1e-3, "{bar} {across} {feet}");
 }
+
+/// No data, one value for all, and a width beyond the precision of the numbers.
+#[test]
+fn data_without_a_width_are_drawn() {
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: text(lead) };
+    let none = |bar: EnergyBar| EnergyBar { energy: 0.0, ..bar };
+    let of_one = HistogramPicture { shares: Vec::new(), ..histogram(20.0) };
+    let of_one = HistogramPicture { interval: [20.0, 20.0].map(|end| mark(end, "end:")), ..of_one };
+    let too_fine = HistogramPicture { low: 1e15, width: 0.01, ..histogram(1e15) };
+    let drawings = [
+        of_one.draw(),
+        HistogramPicture { interval: [1e15, 1e15].map(|end| mark(end, "end:")), ..too_fine }.draw(),
+        HistogramPicture { shares: vec![0.0; 5], ..histogram(22.0) }.draw(),
+        ReconciliationPicture { curve: Vec::new(), ..reconciliation() }.draw(),
+        ReconciliationPicture { curve: reconciliation().curve[..1].to_vec(), ..reconciliation() }.draw(),
+        JointPicture { ends: [[14.0, 14.0], [4.0, 4.0]], ..joint() }.draw(),
+        EnergyPicture {
+            initial: none(energy().initial),
+            losses: Vec::new(),
+            rest: none(energy().rest),
+            ..energy()
+        }
+        .draw(),
+    ];
+    for (place, drawing) in drawings.iter().enumerate() {
+        let svg = drawing.svg();
+        assert!(!svg.contains("NaN") && !svg.contains("inf\""), "{place}: {svg}");
+    }
+}

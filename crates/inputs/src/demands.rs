@@ -96,6 +96,9 @@ impl Case {
                 demand.missing_crush(id);
             }
         }
+        if self.vehicles.iter().all(|vehicle| vehicle.fixed || vehicle.is_absent()) {
+            demand.missing_crush(VehicleId::One);
+        }
         let [v1, v2] = vehicles;
         demand.finish(v1.zip(v2).map(|(v1, v2)| {
             let mut vehicles = [v1, v2];

@@ -7,7 +7,8 @@ use thiserror::Error;
 
 use crate::units::{Dimension, Unit};
 
-/// A number with its unit, as it was given. Always finite and within [`Dimension::bound`].
+/// A number with its unit, as it was given: finite and within [`Dimension::bound`], unless
+/// [`with`](Self::with) or [`map`](Self::map) made another of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity<T = f64> {
     number: T,
