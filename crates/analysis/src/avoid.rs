@@ -139,6 +139,21 @@ pub enum SpeedSource {
     Recorder,
 }
 
+impl SpeedSource {
+    /// Its word in results: the table or the command that gives the speed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::AtDemand => "avoid",
+            Self::AtImpact => "vehicle",
+            Self::Reconstructed => "reconstruct",
+            Self::Estimated => "estimate",
+            Self::Phases => "phases",
+            Self::Recorder => "recorder",
+        }
+    }
+}
+
 /// A question of what would have been.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hypothesis {

@@ -53,6 +53,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
         return write(output, columns(job, &options));
     }
     let Some(cases) = &arguments.cases else { bail!("name the table, or - for CSV on standard input") };
+    options.check(job)?;
     let template = match &arguments.template {
         Some(path) => {
             let (name, text) = read_text(path)?;

@@ -89,6 +89,7 @@ pub use data::comparison::comparison_json;
 pub use data::csv::{Csv, CsvStyle, Refused, Row, RowAnswer, RowError, Table, jsonl_row, no_formula};
 pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
 pub use data::field::{FieldData, FieldYear, field_json};
+pub use data::headline::led_by;
 pub use data::json::{json, weighed_json};
 pub use data::judged_recorders::judged_recorders_json;
 pub use data::judgement::judgement_json;

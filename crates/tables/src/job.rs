@@ -2,11 +2,15 @@
 
 use analysis::EstimatePlan;
 use case::SeverityPrior;
+use estimate::{MOST_PARTICLES, PARTICLES_STEP, ParticleSettings};
+use uncertainty::MIN_SAMPLES;
+
+use crate::error::TableError;
 
 /// The task for each row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Job {
-    /// The speed at which impact and crush agree: as `deltav reconstruct`, and with samples as
+    /// The speed at which impact and crush agree: as `deltav reconstruct --exact`, and with samples as
     /// `deltav uncertainty`.
     Reconstruct,
     /// The effect of the impact, with both speeds given: as `deltav impact`.
@@ -55,5 +59,37 @@ pub struct RowOptions {
 impl Default for RowOptions {
     fn default() -> Self {
         Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
+    }
+}
+
+impl RowOptions {
+    /// Whether they fit a job.
+    ///
+    /// # Errors
+    /// [`TableError::Options`] if one does not.
+    pub fn check(&self, job: Job) -> Result<(), TableError> {
+        let &Self { samples, particles, prior, .. } = self;
+        let name = job.name();
+        let problem = match (job, samples) {
+            (Job::Crush | Job::Estimate, Some(_)) => {
+                format!(
+                    "samples are for the jobs reconstruct, impact and avoid, and the job is {name}: leave them out"
+                )
+            }
+            (_, Some(samples)) if samples < MIN_SAMPLES => {
+                format!("{samples} samples are too few: give {MIN_SAMPLES} or more")
+            }
+            (Job::Estimate, _) if !ParticleSettings::can_have(particles) => format!(
+                "the number of particles is {particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}"
+            ),
+            (Job::Estimate, _) => return Ok(()),
+            _ if prior.is_some() || particles != EstimatePlan::PARTICLES => {
+                format!(
+                    "particles and a prior are for the job estimate, and the job is {name}: leave them out"
+                )
+            }
+            _ => return Ok(()),
+        };
+        Err(TableError::Options(problem))
     }
 }

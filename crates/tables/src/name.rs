@@ -52,6 +52,19 @@ impl Name {
         }
         Self { steps, unit }
     }
+
+    /// The path of its key, with dots.
+    pub(crate) fn path(&self) -> String {
+        let mut path = String::new();
+        for step in &self.steps {
+            match step {
+                Step::Key(key) if path.is_empty() => path.push_str(key),
+                Step::Key(key) => path.extend([".", key]),
+                Step::Element(place) => path.push_str(&format!("[{}]", place + 1)),
+            }
+        }
+        path
+    }
 }
 
 fn element(text: &str) -> Option<usize> {

@@ -59,6 +59,8 @@ enum Kind {
     Quantities(&'static Unit),
     /// A text with several words.
     Names,
+    /// The same, or one word.
+    Words,
 }
 
 /// The keys that the columns of a table give.
@@ -112,14 +114,51 @@ fn meant(name: &str) -> Option<String> {
             if of == "." { format!("{}.mass [kg]", key.name) } else { format!("{}__mass__kg", key.name) }
         ));
     }
-    let steps = Name::of(&lower).steps;
-    let [Step::Key(_), Step::Key(second), ..] = &steps[..] else { return None };
-    let tables = tables().filter(|key| {
-        let table = Shape::case().within(key);
-        matches!(table, Shape::Table(_)) && table.keys().any(|inner| inner.name == second)
-    });
-    let of: Vec<String> = tables.map(|key| format!("\"{}.{second}\"", key.name)).collect();
-    (!of.is_empty()).then(|| format!("did you mean {}?", of.join(" or ")))
+    if lower == SEED {
+        return Some(format!("write \"{SEED}\" in small letters"));
+    }
+    let mut name = Name::of(&lower);
+    let mut of = Vec::new();
+    keys_ending_in(&name, Shape::case(), "", &mut of);
+    if let [Step::Key(_), Step::Key(second), ..] = &name.steps[..] {
+        let tables = tables().filter(|key| {
+            let table = Shape::case().within(key);
+            matches!(table, Shape::Table(_)) && table.keys().any(|inner| inner.name == second)
+        });
+        of.extend(tables.map(|key| format!("\"{}.{second}\"", key.name)));
+    }
+    // Without brackets, the unit is the last step.
+    if let (None, Some(Step::Key(last))) = (&name.unit, name.steps.last()) {
+        name.unit = Some(last.clone());
+        name.steps.pop();
+        keys_ending_in(&name, Shape::case(), "", &mut of);
+    }
+    // Of those with the fewest steps.
+    let steps = |key: &String| key.matches('.').count();
+    let fewest = of.iter().map(steps).min();
+    of.retain(|key| Some(steps(key)) == fewest);
+    let of = of.join(" or ");
+    (!of.is_empty()).then(|| format!("did you mean {of}? If it is no key, give it another name"))
+}
+
+/// Adds the keys in a table that end in this name. A name of one step has to have a unit that fits: a table
+/// may have its own column `mass`, but hardly one with a unit in brackets.
+fn keys_ending_in(name: &Name, table: Shape, path: &str, found: &mut Vec<String>) {
+    for key in table.keys() {
+        let inner = table.within(key);
+        if !matches!(inner, Shape::Table(_) | Shape::WordOrTable(_)) {
+            continue;
+        }
+        let path = format!("{path}{}.", key.name);
+        let fits = inner.at(&name.steps).is_some_and(|last| match &name.unit {
+            Some(text) => last.dimension().is_some_and(|dimension| unit(text, dimension).is_some()),
+            None => name.steps.len() > 1,
+        });
+        if fits {
+            found.push(format!("\"{path}{}\"", name.path()));
+        }
+        keys_ending_in(name, inner, &path, found);
+    }
 }
 
 /// The role of a column: it gives a key if its name begins with the name of a table of the case.
@@ -301,7 +340,9 @@ impl<'a> Part<'a> {
         let kind = self.kind(called, (own, around))?;
         let fits = match kind {
             _ if matches!(self.shape, Shape::Table(_) | Shape::Tables(_)) => *data_type == DataType::Null,
-            Kind::Text | Kind::Names | Kind::Numbers | Kind::Quantities(_) => Column::is_text(data_type),
+            Kind::Text | Kind::Names | Kind::Words | Kind::Numbers | Kind::Quantities(_) => {
+                Column::is_text(data_type)
+            }
             Kind::Flag => Column::is_flag(data_type) || Column::is_text(data_type),
             Kind::Number | Kind::Percent | Kind::Quantity(_) => {
                 Column::is_number(data_type) || Column::is_text(data_type)
@@ -337,7 +378,8 @@ impl<'a> Part<'a> {
             Shape::UncertainQuantities(dimension) => {
                 return of(dimension).map(Kind::Quantities);
             }
-            Shape::Text | Shape::Word | Shape::Words | Shape::WordOrTable(_) => Kind::Text,
+            Shape::Text | Shape::Word | Shape::WordOrTable(_) => Kind::Text,
+            Shape::Words => Kind::Words,
             Shape::Flag => Kind::Flag,
             Shape::Percent => Kind::Percent,
             Shape::Names => Kind::Names,
@@ -506,7 +548,8 @@ impl Kind {
             Cell::Flag(flag) => return Value::Flag(flag),
             Cell::Text(text) => text,
         };
-        let number = || text.trim().parse::<f64>().ok();
+        // With the minus sign of typographers, too.
+        let number = || text.trim().replace('\u{2212}', "-").parse::<f64>().ok();
         let numbers = |of: &dyn Fn(f64) -> Value<'static>| {
             let list = text.split_whitespace().map(|word| word.parse().ok().map(of));
             list.collect::<Option<Vec<Value<'static>>>>().map(Value::List)
@@ -523,7 +566,8 @@ impl Kind {
             Self::Quantity(unit) => number().map(|number| Value::Quantity(number, unit)),
             Self::Numbers => numbers(&Value::Number),
             Self::Quantities(unit) => numbers(&|number| Value::Quantity(number, unit)),
-            Self::Names => {
+            Self::Words if !text.trim().contains(char::is_whitespace) => None,
+            Self::Names | Self::Words => {
                 Some(Value::List(text.split_whitespace().map(|word| Value::Text(word.into())).collect()))
             }
         };

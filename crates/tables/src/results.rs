@@ -15,7 +15,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use case::{Axes, Case, SeverityPrior, word};
 use pim_core::VehicleId;
-use report::Units;
+use report::{Units, led_by};
 use requests::RowRefusal;
 
 use crate::error::TableError;
@@ -45,8 +45,9 @@ type Statistics = [f64; STATISTICS.len()];
 type OfAvoidance<T> = fn(&Case, &Avoidance) -> Option<T>;
 
 /// The numbers of avoidability, by the keys of the JSON of `deltav avoid`.
-const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
+const AVOIDED: [(&str, OfAvoidance<f64>); 17] = [
     ("speed", |_, found| Some(found.scene.speed)),
+    ("exact_speed_at_impact", |_, found| found.exact_speed()),
     ("demand_distance", |_, found| Some(found.scene.distance)),
     ("demand_time", |_, found| Some(found.scene.time)),
     ("sight_time", |_, found| Some(found.scene.view.sight()?.time)),
@@ -64,8 +65,9 @@ const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
     ("probability_mc_error", |_, found| Some(found.chance.as_ref()?.mc_error)),
 ];
 
-/// The answers at the limit, in the same way.
-const AVOIDABLE: [(&str, OfAvoidance<bool>); 2] = [
+/// Whether the evidence determines the speed, and the answers at the limit, in the same way.
+const AVOIDABLE: [(&str, OfAvoidance<bool>); 3] = [
+    ("speed_determined", |_, found| Some(found.undetermined().is_none())),
     ("spatial_avoidable_at_limit", |_, found| Some(found.scene.stops_at_limit())),
     ("temporal_avoidable_at_limit", |_, found| found.scene.is_late_at_limit()),
 ];
@@ -85,13 +87,21 @@ pub(crate) struct Found {
 
 /// The results of the job.
 enum FoundBy {
-    Analysis(Box<Seen>, Option<Spread>),
+    Analysis(Box<Solved>, Option<Spread>),
     Estimate(EstimateFound),
     Avoidance(Box<AvoidFound>),
 }
 
+/// An exact solution.
+struct Solved {
+    seen: Seen,
+    /// What leads the reconstruction of its case alone, and the codes of the checks that refute it.
+    headline: Option<(&'static str, Vec<String>)>,
+}
+
 /// The results on avoidability.
 struct AvoidFound {
+    speed_source: &'static str,
     /// By the places of [`AVOIDED`] and [`AVOIDABLE`].
     numbers: [Option<f64>; AVOIDED.len()],
     flags: [Option<bool>; AVOIDABLE.len()],
@@ -110,6 +120,11 @@ struct EstimateFound {
     converged: bool,
     ess: f64,
     contradicting: Vec<String>,
+    /// Pairs of keys, each pair in one text.
+    same_twice: Vec<String>,
+    /// The results that vary and that the evidence does not determine.
+    undetermined: Vec<String>,
+    tested: Option<&'static str>,
     /// By the places of [`DRAWN`].
     of: Vec<Option<Statistics>>,
 }
@@ -185,11 +200,16 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, Column)> {
             columns.push(named("converged", flags(|found| Some(found.estimate()?.converged))));
             columns.push(named("ess", numbers(|found| Some(found.estimate()?.ess))));
             columns.push(named("contradicting", lists(|found| Some(&found.estimate()?.contradicting))));
+            columns.push(named("same_twice", lists(|found| Some(&found.estimate()?.same_twice))));
+            columns.push(named("undetermined", lists(|found| Some(&found.estimate()?.undetermined))));
+            columns.push(named("tested", texts(|outcome| outcome.found.as_ref()?.estimate()?.tested)));
             columns.push(warnings());
             columns.extend(statistics(&DRAWN, |found| Some(&found.estimate()?.of)));
             return columns;
         }
         Job::Avoid => {
+            let source = texts(|outcome| Some(outcome.found.as_ref()?.avoidance()?.speed_source));
+            columns.push(named("avoid_speed_source", source));
             for (place, (name, _)) in AVOIDED.into_iter().enumerate() {
                 let column = numbers(move |found| found.avoidance()?.numbers[place]);
                 columns.push((format!("avoid_{name}"), column));
@@ -203,6 +223,11 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, Column)> {
         Job::Crush | Job::Reconstruct | Job::Impact => {}
     }
     columns.push(named("energy_basis", texts(|outcome| Some(outcome.found.as_ref()?.seen()?.basis.name()))));
+    if job == Job::Reconstruct {
+        columns.push(named("headline_by", texts(|outcome| Some(outcome.found.as_ref()?.headline()?.0))));
+        columns.push(named("left_aside", lists(|found| Some(&found.seen()?.left_aside))));
+        columns.push(named("refuted_by", lists(|found| Some(&found.headline()?.1))));
+    }
     if job != Job::Crush {
         columns.push(named("found_quantity", texts(found_quantity)));
         let admissible = |found: &Found| Some(found.seen()?.found.as_ref()?.admissible.len());
@@ -344,7 +369,11 @@ impl Builder {
 
 impl Found {
     fn seen(&self) -> Option<&Seen> {
-        if let FoundBy::Analysis(seen, _) = &self.of { Some(seen) } else { None }
+        if let FoundBy::Analysis(solved, _) = &self.of { Some(&solved.seen) } else { None }
+    }
+
+    fn headline(&self) -> Option<&(&'static str, Vec<String>)> {
+        if let FoundBy::Analysis(solved, _) = &self.of { solved.headline.as_ref() } else { None }
     }
 
     fn spread(&self) -> Option<&Spread> {
@@ -362,7 +391,13 @@ impl Found {
     pub(crate) fn of_analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
         let seen = analysis.seen(case.axes);
         let warnings = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
-        Self { axes: seen.axes, warnings, of: FoundBy::Analysis(Box::new(seen), spread) }
+        let why = analysis.why_not_exact();
+        let headline = (analysis.found.is_some() || analysis.both.is_some()).then(|| {
+            let refuted_by = why.iter().flat_map(|why| &why.refuted_by);
+            (led_by(None, why.as_ref()), refuted_by.map(|check| check.code().to_owned()).collect())
+        });
+        let solved = Solved { seen, headline };
+        Self { axes: case.axes, warnings, of: FoundBy::Analysis(Box::new(solved), spread) }
     }
 
     pub(crate) fn of_avoidance(case: &Case, found: &Avoidance) -> Self {
@@ -371,22 +406,30 @@ impl Found {
         Self {
             axes: case.axes,
             warnings: report::avoid_warnings(found, Units::Si),
-            of: FoundBy::Avoidance(Box::new(AvoidFound { numbers, flags })),
+            of: FoundBy::Avoidance(Box::new(AvoidFound {
+                speed_source: found.speed_from.name(),
+                numbers,
+                flags,
+            })),
         }
     }
 
     pub(crate) fn of_estimate(case: &Case, estimated: &Estimated) -> Self {
-        let converged = estimated.doubts().is_empty();
+        let is_answer = estimated.no_answer().is_none();
         let of = |wanted: &Output| {
             let output = estimated.outputs.iter().find(|output| output.output == *wanted)?;
             let summary = &output.posterior;
-            let widest = summary.intervals.last().filter(|_| converged)?;
+            let widest = summary.intervals.last().filter(|_| is_answer)?;
             Some([widest.low, summary.median, widest.high, summary.mean, summary.sd].map(|one| one.value))
         };
+        let undetermined = estimated.outputs.iter().filter(|output| is_answer && !output.is_told());
         let found = EstimateFound {
-            converged,
+            converged: estimated.doubts().is_empty(),
             ess: estimated.ess(),
             contradicting: estimated.with_agreement(Agreement::Contradicts),
+            same_twice: estimated.same_twice.iter().map(|same| same.keys.join(" ")).collect(),
+            undetermined: undetermined.map(|output| output.output.path()).collect(),
+            tested: estimated.tested.map(|class| class.code),
             of: DRAWN.iter().map(of).collect(),
         };
         let warnings = estimated.warnings.iter().map(code).collect();

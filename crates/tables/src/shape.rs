@@ -2,6 +2,8 @@
 
 use case::{Dimension, Form, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
 
+use crate::name::Step;
+
 /// The form of a key's value. A number with a unit is a number; the column's name or metadata has the unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
@@ -84,6 +86,14 @@ impl Shape {
                 number => number.dimension().map_or(Self::Number, Self::Quantity),
             },
         }
+    }
+
+    /// The form at the end of a path in this one.
+    pub(crate) fn at(self, steps: &[Step]) -> Option<Self> {
+        steps.iter().try_fold(self, |shape, step| match step {
+            Step::Key(name) => Some(shape.within(shape.keys().find(|key| key.name == name)?)),
+            Step::Element(_) => shape.listed(),
+        })
     }
 
     /// The dimension of a number with a unit, or of each of several.

@@ -1,16 +1,16 @@
 //! From the rows of a table to their results.
 
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use analysis::{AvoidPlan, EstimatePlan, Failure, PieceDetail};
+use analysis::{AvoidPlan, EstimatePlan, Failure, NoEstimate, PieceDetail};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, ValueTable};
-use estimate::{MOST_PARTICLES, PARTICLES_STEP};
 use report::PROGRAM;
-use requests::{RowRefusal, no_probability};
-use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
+use requests::{RowRefusal, no_probability, read_records_beside};
+use uncertainty::{SamplingMethod, Settings};
 
 use crate::error::TableError;
 use crate::job::{Job, RowOptions};
@@ -21,10 +21,13 @@ use crate::results::{self, Builder, Found, Outcome, Spread};
 #[derive(Clone, Debug, Default)]
 pub struct RowTemplate {
     shared: ValueTable<'static>,
+    /// The files of recorders are sought in its folder.
+    path: PathBuf,
 }
 
 impl RowTemplate {
-    /// Reads a part of a case file; `name` is its name in errors.
+    /// Reads a part of a case file; `name` is its path, or its name in errors. A file that `pre_crash` or
+    /// `pulse` of a recorder names, here or in a row, is sought in the folder of this path.
     ///
     /// ```
     /// use tables::RowTemplate;
@@ -39,7 +42,7 @@ impl RowTemplate {
     /// fit together, are reported in the rows.
     pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
         match CaseFile::part(name, text) {
-            Ok(shared) => Ok(Self { shared }),
+            Ok(shared) => Ok(Self { shared, path: name.into() }),
             Err(errors) => Err(TableError::Template(Box::new(errors.in_words_of(&PROGRAM)))),
         }
     }
@@ -139,7 +142,7 @@ pub fn run_with_faults(
     options: &RowOptions,
     progress: &RowProgress<'_>,
 ) -> Result<RecordBatch, TableError> {
-    check(job, options)?;
+    options.check(job)?;
     let plan = Plan::of(batch)?;
     let total = batch.num_rows();
     let row = Row {
@@ -171,35 +174,6 @@ pub fn run_with_faults(
 /// [`TableError`] where the columns cannot be read.
 pub fn assumed_units(batch: &RecordBatch) -> Result<Vec<(String, &'static str)>, TableError> {
     Ok(Plan::of(batch)?.assumed(batch.num_rows()))
-}
-
-fn check(job: Job, RowOptions { samples, particles, prior, .. }: &RowOptions) -> Result<(), TableError> {
-    match (job, samples) {
-        (Job::Crush | Job::Estimate, Some(_)) => {
-            return Err(TableError::Options(format!(
-                "samples are for the jobs reconstruct, impact and avoid, and the job is {}: leave them out",
-                job.name()
-            )));
-        }
-        (_, Some(samples)) if *samples < MIN_SAMPLES => {
-            return Err(TableError::Options(format!(
-                "{samples} samples are too few: give {MIN_SAMPLES} or more"
-            )));
-        }
-        _ => {}
-    }
-    if job != Job::Estimate && (prior.is_some() || *particles != EstimatePlan::PARTICLES) {
-        return Err(TableError::Options(format!(
-            "particles and a prior are for the job estimate, and the job is {}: leave them out",
-            job.name()
-        )));
-    }
-    if job == Job::Estimate && !estimate::ParticleSettings::can_have(*particles) {
-        return Err(TableError::Options(format!(
-            "the number of particles is {particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}"
-        )));
-    }
-    Ok(())
 }
 
 /// The data that all rows share, and their progress.
@@ -266,7 +240,8 @@ impl Row<'_> {
         merge(&mut values, self.plan.row(row).map_err(of_row)?);
         let seed = self.plan.seed(row).map_err(of_row)?.unwrap_or(self.options.seed);
         let of_case = |errors| RowRefusal::of_case(errors, &PROGRAM);
-        let file = CaseFile::from_values("row", &values).map_err(of_case)?;
+        let mut file = CaseFile::from_values("row", &values).map_err(of_case)?;
+        read_records_beside(&self.template.path, &mut file, &PROGRAM).map_err(of_case)?;
         let case = &file.case;
         let refused = |failure: Failure| RowRefusal::of(&failure.into(), &file, &PROGRAM);
         let analyse = match self.job {
@@ -288,9 +263,15 @@ impl Row<'_> {
                 let plan = EstimatePlan { particles, seed, prior, pieces: PieceDetail::Compared };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
-                let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {
-                    error: "the run has not converged, so it gives no intervals".to_owned(),
-                    help: format!("{WHY_NO_ANSWER}; more particles may help"),
+                let refusal = estimated.no_answer().map(|doubt| match doubt {
+                    NoEstimate::Unconverged => RowRefusal {
+                        error: "the run has not converged, so it gives no intervals".to_owned(),
+                        help: format!("{WHY_NO_ANSWER}; more particles may help"),
+                    },
+                    NoEstimate::Contradicted(_) => RowRefusal {
+                        error: "the evidence contradicts itself, so it gives no single answer".to_owned(),
+                        help: WHY_NO_ANSWER.to_owned(),
+                    },
                 });
                 return Ok(Outcome { found: Some(Found::of_estimate(case, &estimated)), refusal });
             }

@@ -175,6 +175,7 @@ fn columns_of_every_type_are_read_or_refused() {
         DataType::new_fixed_size_list(DataType::Float32, 3, true),
         schema.field_with_name("vehicle1").unwrap().data_type().clone(),
     ];
+    let template = template();
     let mut read = 0;
     for name in &names {
         for data_type in &types {
@@ -182,7 +183,8 @@ fn columns_of_every_type_are_read_or_refused() {
                 Arc::new(Schema::new(vec![Field::new(name, data_type.clone(), true)])),
                 vec![new_null_array(data_type, 1)],
             );
-            match rows(Job::Reconstruct, &batch.unwrap()) {
+            let go_on = |_, _| ControlFlow::Continue(());
+            match run(Job::Reconstruct, &batch.unwrap(), &template, &RowOptions::default(), &go_on) {
                 Ok(results) => {
                     // Nothing but nulls: the template.
                     assert_eq!(errors(&results), [None], "{name} {data_type}");
@@ -395,6 +397,12 @@ fn no_table_is_the_template_in_silence() {
         ("VEHICLE2.SPEED [mph]", "small letters"),
         ("v2.speed", "\"vehicle1.speed\" or \"vehicle2.speed\""),
         ("car__speed", "\"vehicle1.speed\""),
+        ("mass [kg]", "\"vehicle1.mass\" or \"vehicle2.mass\"? If it is no key, give it another name"),
+        ("crush_plane [deg]", "\"impact.crush_plane\""),
+        ("crush.depths [cm]", "\"vehicle1.crush.depths\" or \"vehicle2.crush.depths\""),
+        ("pdof__deg", "\"vehicle1.crush.pdof\""),
+        ("depths[2] [in]", "\"vehicle1.crush.depths[2]\""),
+        ("Seed", "write \"seed\" in small letters"),
         ("note", "no column of the table is a key of a case"),
         ("id;vehicle2.speed [mph]", "did you mean \"vehicle1.speed\" or \"vehicle2.speed\""),
         ("\u{1b}[31mred", "␛[31mred"),
@@ -405,7 +413,7 @@ fn no_table_is_the_template_in_silence() {
         assert!(columns_kept(batch(vec![(column, one())]).schema_ref()).is_err(), "{column}");
     }
     // A column of the table's own in addition to one key, with dots and a unit.
-    for own in ["weather.temperature [C]", "Speed", "driver.age"] {
+    for own in ["weather.temperature [C]", "Speed", "driver.age", "mass", "mass [C]", "restitution"] {
         let results = rows(
             Job::Reconstruct,
             &batch(vec![(own, one()), ("vehicle2.speed [mph]", doubles(&[Some(10.0)]))]),
@@ -588,4 +596,108 @@ fn the_metadata_of_an_estimate_have_the_prior_that_was_asked_for() {
     };
     assert_eq!(prior(None), None);
     assert_eq!(prior(Some(case::SeverityPrior::Flat)).as_deref(), Some("flat"));
+}
+
+/// The row of a case alone, by this job.
+fn alone(job: Job, case: &str, options: &RowOptions) -> RecordBatch {
+    let one = batch(vec![("seed", Arc::new(Int64Array::from(vec![1])))]);
+    let template = RowTemplate::parse("../../fixtures/t.toml", case).unwrap();
+    run(job, &one, &template, options, &|_, _| ControlFlow::Continue(())).unwrap()
+}
+
+fn text<'a>(results: &'a RecordBatch, column: &str) -> Option<&'a str> {
+    let column = results.column_by_name(column).unwrap().as_string::<i32>();
+    column.iter().next().unwrap()
+}
+
+fn list(results: &RecordBatch, column: &str) -> Vec<String> {
+    let column = results.column_by_name(column).unwrap().as_list::<i32>().value(0);
+    column.as_string::<i32>().iter().map(|word| word.unwrap().to_owned()).collect()
+}
+
+const FEW: RowOptions = RowOptions { samples: None, seed: 1, particles: 128, prior: None };
+
+/// Its interval would look like any other.
+#[test]
+fn an_estimate_of_evidence_that_contradicts_itself_is_no_answer() {
+    let case = include_str!("../../../fixtures/roots/hidden-root.toml");
+    let results = alone(Job::Estimate, case, &FEW);
+    assert!(text(&results, "error").unwrap().starts_with("the evidence contradicts itself"));
+    assert!(results.column_by_name("converged").unwrap().as_boolean().value(0));
+    for column in ["vehicle1_speed_median", "vehicle1_speed_p025", "vehicle1_delta_v_p975"] {
+        assert!(results.column_by_name(column).unwrap().is_null(0), "{column}");
+    }
+}
+
+/// Crush energies tell how much was lost, and hardly which vehicle was how fast.
+#[test]
+fn a_row_names_what_the_evidence_does_not_determine() {
+    let damaged = |id: u8, heading: u16, side: &str| {
+        format!(
+            "[vehicle{id}]\nmass = \"1600 kg\"\nclass = 4\nheading = \"{heading} deg\"\n[vehicle{id}.crush]\n\
+             side = \"{side}\"\nwidth = \"150 cm\"\noffset = \"0 cm\"\ndepths = \"10 20 30 30 20 10 cm\"\nstiffness.category = 3\n"
+        )
+    };
+    let case = format!(
+        "[impact]\nrestitution = 0.1\ntangential = \"critical\"\ncrush_plane = \"0 deg\"\n{}{}",
+        damaged(1, 0, "front"),
+        damaged(2, 90, "right")
+    );
+    let results = alone(Job::Estimate, &case, &FEW);
+    assert_eq!(text(&results, "error"), None);
+    let open = list(&results, "undetermined");
+    assert!(open.iter().any(|output| output == "vehicle2.speed"), "{open:?}");
+    assert!(!open.iter().any(|output| output == "vehicle1.delta_v"), "{open:?}");
+    assert!(list(&results, "same_twice").is_empty());
+    // With a PDOF beside the ΔV of a recorder, whose direction says the same.
+    let twice = case.replacen("[vehicle1.crush]", "[vehicle1.crush]\npdof = \"0 deg\"", 1)
+        + "[vehicle1.recorder]\ndelta_v_longitudinal = \"-30 km/h\"\ndelta_v_lateral = \"0 km/h\"\n";
+    let pair = "vehicle1.crush.pdof vehicle1.recorder.delta_v_lateral";
+    assert!(list(&alone(Job::Estimate, &twice, &FEW), "same_twice").iter().any(|keys| keys == pair));
+}
+
+/// What single cases lead with, the row says of its exact solution.
+#[test]
+fn a_row_says_whether_its_exact_solution_is_the_answer() {
+    let led = |case: &str| {
+        let results = alone(Job::Reconstruct, case, &RowOptions::default());
+        assert_eq!(errors(&results), [None]);
+        (text(&results, "headline_by").map(str::to_owned), list(&results, "left_aside"))
+    };
+    let by = |word: &str| Some(word.to_owned());
+    assert_eq!(led(EXAMPLE), (by("exact"), Vec::new()));
+    assert_eq!(led(include_str!("../../../fixtures/t-bone-category.toml")).0, by("none"));
+    let recorded = EXAMPLE.to_owned() + "[vehicle1.recorder]\nspeed = \"22 m/s\"\n";
+    assert_eq!(led(&recorded), (by("none"), vec!["vehicle1.recorder.speed".to_owned()]));
+}
+
+/// A row of avoidability tells a speed that the evidence gives from one that it leaves open.
+#[test]
+fn a_row_of_avoidability_names_the_source_of_its_speed() {
+    let results = avoided(include_str!("../../../fixtures/avoid/evidence.toml"));
+    assert_eq!(text(&results, "avoid_speed_source"), Some("estimate"));
+    assert!(results.column_by_name("avoid_speed_determined").unwrap().as_boolean().value(0));
+}
+
+/// A table of a recorder in a file is sought beside the template.
+#[test]
+fn a_file_of_a_recorder_is_read_beside_the_template() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("recorded");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("r.csv"), "time (s),speed (mph)\n-1.0,30\n-0.5,30\n0.0,30\n").unwrap();
+    let name = folder.join("t.toml").display().to_string();
+    let template = RowTemplate::parse(&name, EXAMPLE).unwrap();
+    let files = |name: &str| {
+        let file = batch(vec![(
+            "vehicle1.recorder.pre_crash.file",
+            Arc::new(StringArray::from(vec![name])) as ArrayRef,
+        )]);
+        run(Job::Reconstruct, &file, &template, &RowOptions::default(), &|_, _| ControlFlow::Continue(()))
+            .unwrap()
+    };
+    let read = files("r.csv");
+    assert_eq!(errors(&read), [None]);
+    assert_eq!(list(&read, "left_aside"), ["vehicle1.recorder.pre_crash"]);
+    let error = errors(&files("none.csv")).remove(0).unwrap();
+    assert!(error.contains("cannot read none.csv"), "{error}");
 }

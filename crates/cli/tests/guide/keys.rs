@@ -223,7 +223,7 @@ fn is_a_column(code: &str) -> bool {
     let options = RowOptions { samples: Some(1000), ..RowOptions::default() };
     is_read(DataType::Float64)
         || is_read(DataType::Utf8)
-        || [Job::Reconstruct, Job::Estimate]
+        || [Job::Reconstruct, Job::Estimate, Job::Avoid]
             .iter()
             .any(|job| result_schema(*job, &options).field_with_name(code).is_ok())
 }

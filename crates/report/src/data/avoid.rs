@@ -1,8 +1,6 @@
 //! Whether the collision was avoidable, as JSON.
 
-use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, NoEstimate, SpeedSource, Unbraked,
-};
+use analysis::{ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, NoEstimate, Unbraked};
 use case::{CaseFile, SWELLS, word};
 use serde_json::{Value, json};
 
@@ -42,14 +40,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
     let avoid = json!({
         "vehicle": found.vehicle.number(),
         "speed": scene.speed,
-        "speed_source": match found.speed_from {
-            SpeedSource::AtDemand => "avoid",
-            SpeedSource::AtImpact => "vehicle",
-            SpeedSource::Reconstructed => "reconstruct",
-            SpeedSource::Estimated => "estimate",
-            SpeedSource::Phases => "phases",
-            SpeedSource::Recorder => "recorder",
-        },
+        "speed_source": found.speed_from.name(),
         "speed_determined": found.undetermined().is_none(),
         // By the exact solution that leads `reconstruct`; null unless the speed comes from `estimate`.
         "exact_speed_at_impact": found.exact_speed(),

@@ -259,7 +259,7 @@ pub(crate) fn document(case: &Case, comparison: &Comparison) -> Value {
     };
     let row = |row: Row| followed(json!({ "law": row.law }), present(json!(row)));
     optional(
-        ["evidence"],
+        ["evidence", "left_aside"],
         json!({
             "title": title(case),
             // The axes of the yaw rates and the signed coefficients.
@@ -267,6 +267,8 @@ pub(crate) fn document(case: &Case, comparison: &Comparison) -> Value {
             "rows": list(rows(case, comparison, Units::Si), row),
             // The answers by damage, by momentum and by both.
             "evidence": comparison.evidence.as_ref().map(by_evidence),
+            // Keys of evidence that the rows by law do not use.
+            "left_aside": comparison.own.left_aside,
             // The warnings of the case itself.
             "warnings": all_warnings(&comparison.own, case),
         }),

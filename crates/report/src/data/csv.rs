@@ -125,11 +125,12 @@ const fn text(name: &'static str, place: &'static str, before: &'static OutputQu
 }
 
 /// Columns of the whole case.
-const SHARED: [Text; 9] = [
+const SHARED: [Text; 10] = [
     text("file", "/file", &FOUND_VALUE),
     text("error", "/error", &FOUND_VALUE),
     text("title", "/title", &FOUND_VALUE),
     text("axes", "/axes", &FOUND_VALUE),
+    text("headline.by", "/headline/by", &FOUND_VALUE),
     text("found.quantity", "/found/quantity", &FOUND_VALUE),
     text("found.admissible_roots", "/found/admissible_roots", &IMPACT_RESTITUTION),
     text("energy_basis", "/energy_basis", &IMPACT_RESTITUTION),

@@ -9,6 +9,17 @@ use super::{list, optional};
 use crate::estimates::{WIDEST, ends};
 use crate::words;
 
+/// What leads a reconstruction: `exact` or `estimate`; `none` if an exact solution is not the answer and the
+/// evidence was not weighed, or gave no answer.
+#[must_use]
+pub fn led_by(weighed: Option<&Weighed>, why_not_exact: Option<&WhyNotExact>) -> &'static str {
+    match (weighed, why_not_exact) {
+        (Some(weighed), _) if weighed.is_answer() => "estimate",
+        (None, None) => "exact",
+        _ => "none",
+    }
+}
+
 /// The answer of a reconstruction; `None` for any other analysis.
 pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option<Value> {
     if analysis.found.is_none() && analysis.both.is_none() {
@@ -37,13 +48,7 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
     Some(optional(
         ["why_not_exact", "converged", "contradicting", "doubtful", "vehicle1", "vehicle2"],
         json!({
-            // `none` if the case has more evidence than an exact solution uses and it was not weighed, or if
-            // the run did not converge.
-            "by": match (weighed, &why) {
-                (Some(weighed), _) if weighed.is_answer() => "estimate",
-                (None, None) => "exact",
-                _ => "none",
-            },
+            "by": led_by(weighed, why.as_ref()),
             "why_not_exact": why.as_ref().map(reasons),
             "converged": weighed.map(|weighed| weighed.estimated.doubts().is_empty()),
             // Evidence that all the rest contradicts, and that it makes doubtful.

@@ -52,7 +52,7 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
         )
     };
     let document = optional(
-        ["pdof_sweep_held", "pdof_sweep_turned"],
+        ["pdof_sweep_held", "pdof_sweep_turned", "left_aside"],
         json!({
             "title": title(case),
             // The axes of the inputs and of the turned directions.
@@ -64,6 +64,8 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
             "pdof_sweep_held": paths("moment_arm", held_in_sweep(sensitivity)),
             // The same, but turned with the direction.
             "pdof_sweep_turned": paths("oblique_angle", turned_in_sweep(sensitivity)),
+            // Keys of evidence that the derivatives do not use.
+            "left_aside": sensitivity.nominal.left_aside,
             // The warnings of the case itself.
             "warnings": all_warnings(&sensitivity.nominal, case),
         }),

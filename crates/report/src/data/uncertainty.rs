@@ -7,6 +7,7 @@ use analysis::{Doubt, Doubtful, ExactValue, REASONS, TakenAsExact, UncertainInpu
 use case::{Case, CaseFile, Input, Origin};
 use serde_json::{Map, Value, json};
 
+use super::headline::headline;
 use super::json::all_warnings;
 use super::{distribution_name, followed, identified, list, optional, pretty, title};
 use crate::outputs::{estimate_source, input_name, reason_name};
@@ -48,7 +49,7 @@ fn of_inputs(
         json!({ "rows": indices.rows(), "used": indices.used(), "evaluations": indices.evaluations() })
     });
     optional(
-        ["index_rows"],
+        ["index_rows", "headline", "left_aside"],
         json!({
             "title": title(case),
             // The axes of the inputs.
@@ -68,6 +69,9 @@ fn of_inputs(
             // The indices of the first output.
             "sensitivity": indices(uncertainty, 0),
             "index_rows": index_rows,
+            // The answer of the case, which the intervals may not be of, and evidence that they do not use.
+            "headline": headline(&uncertainty.nominal, None),
+            "left_aside": uncertainty.nominal.left_aside,
             // The warnings of the case with its central values.
             "warnings": all_warnings(&uncertainty.nominal, case),
         }),

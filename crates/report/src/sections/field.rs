@@ -133,7 +133,13 @@ fn candidates(years: &[FieldYear], is_of_objects: bool) -> Table {
 }
 
 pub(super) fn percent([value, error]: [f64; 2]) -> String {
-    format!("{} ± {}", number(100.0 * value, 1), number(100.0 * error, 1))
+    with_error([100.0 * value, 100.0 * error], 1)
+}
+
+/// Without an error of 0: the spread between collisions is unknown if there is one, or if all are alike.
+fn with_error([value, error]: [f64; 2], decimals: usize) -> String {
+    let value = number(value, decimals);
+    if error == 0.0 { value } else { format!("{value} ± {}", number(error, decimals)) }
 }
 
 fn coverage(field: &Field) -> Table {
@@ -184,7 +190,7 @@ pub(super) fn figure_columns(name: &str, width: usize) -> Vec<Column> {
 
 /// Their cells.
 pub(super) fn figure_cells(name: &str, figures: &Figures) -> Vec<String> {
-    let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
+    let with = |figure| with_error(figure, 3);
     let crps = number(3.6 * figures.crps, 2);
     vec![name.to_owned(), figures.n.to_string(), with(figures.bias), with(figures.rms), crps]
 }
