@@ -341,10 +341,21 @@ impl PyCase {
 
     /// Finds the speed at which impact and crush agree, or both speeds, and gives the whole reconstruction.
     ///
+    /// If the case has more evidence than this exact solution uses, or crush energies that are too small on
+    /// average, all the evidence is weighed as by ``estimate``, in about a second. The answer is then
+    /// ``headline``; ``found``, ``impact`` and the vehicles are those of the exact solution.
+    ///
+    /// Parameters
+    /// ----------
+    /// exact : bool
+    ///     Whether to leave out the weighing: ``headline.by`` is then ``"exact"`` or ``"none"``.
+    /// threads : int, optional
+    ///     By default one for each processor. The results do not depend on it, bit for bit.
+    ///
     /// Returns
     /// -------
     /// Analysis
-    ///     With ``found``, ``impact``, ``vehicle1`` and ``vehicle2``; SI units and radians.
+    ///     With ``headline``, ``found``, ``impact``, ``vehicle1`` and ``vehicle2``; SI units and radians.
     ///
     /// Raises
     /// ------
@@ -358,8 +369,15 @@ impl PyCase {
     /// >>> result = pydeltav.Case.example().reconstruct()
     /// >>> result.found.method, round(result.vehicle1.delta_v, 2)
     /// ('closed form', 12.15)
-    fn reconstruct<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.asked(py, Request::Reconstruct(ReconstructOptions::default()), None)
+    #[pyo3(signature = (*, exact = false, threads = None), text_signature = "(self, *, exact=False, threads=None)")]
+    fn reconstruct<'py>(
+        &self,
+        py: Python<'py>,
+        exact: bool,
+        threads: Option<Whole<usize>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = ReconstructOptions { weigh: !exact, ..ReconstructOptions::default() };
+        self.asked(py, Request::Reconstruct(options), threads.map(|threads| threads.0))
     }
 
     /// Computes an impact from two known speeds.

@@ -10,8 +10,8 @@ from conftest import FIXTURES, cases, run
 
 # Few samples and particles: the bits are the point.
 COMMANDS = {
-    # A method of `Case` does not weigh all the evidence; `estimate` does.
-    "reconstruct": (["--exact"], {}),
+    # To weigh all the evidence takes seconds: one case below.
+    "reconstruct": (["--exact"], {"exact": True}),
     "impact": ([], {}),
     "motion": ([], {}),
     "crush": ([], {}),
@@ -97,6 +97,15 @@ def test_every_invalid_fixture_is_refused_in_the_words_of_the_program(path: path
     for problem in raised.value.problems[:20]:
         assert problem.message in str(raised.value)
         assert (problem.line is None) == (problem.column is None)
+
+
+def test_all_the_evidence_is_weighed_as_by_the_program() -> None:
+    path = FIXTURES / "t-bone-category.toml"
+    result = pydeltav.Case.read(path).reconstruct()
+    assert result.to_json() == run("reconstruct", path, "--format", "json").stdout
+    assert result.headline.by == "estimate" and len(result.headline.vehicle1.speed.interval95) == 2
+    assert str(result) == run("reconstruct", path, "-o", "/dev/stdout").stdout
+    assert result.solutions[0].delta_v[0] > 0.0 and result.solution_warnings[0].code == "category-energy"
 
 
 def test_text_html_and_drawing_are_those_of_the_program() -> None:

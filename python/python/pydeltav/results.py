@@ -151,7 +151,9 @@ class HeadlineFigure(Record):
     """A number of the answer."""
 
     value: float | None
-    """(m/s) as solved."""
+    """(m/s) as solved, or the median of all the evidence; None where that gives no answer."""
+    interval95: _Pair
+    """(m/s) 95 % interval by all the evidence, where it was weighed and gives an answer."""
 
 
 class HeadlineVehicle(Record):
@@ -167,13 +169,36 @@ class Headline(Record):
     """The answer of a reconstruction, and how it was obtained."""
 
     by: str
-    """``"exact"``, or ``"none"`` where the case has more evidence than an exact solution uses: ask ``estimate()``."""
+    """``"exact"``, ``"estimate"`` for all the evidence weighed, or ``"none"`` where neither is the answer."""
     why_not_exact: WhyNotExact
     """Why the exact solution is not the answer, where it is not."""
+    converged: bool
+    """Whether the weighing has converged, where there was one."""
+    contradicting: tuple[str, ...]
+    """Keys of evidence that all the other evidence contradicts, where there is any."""
+    doubtful: tuple[str, ...]
+    """Keys of evidence that the other evidence makes doubtful, where there is any."""
     vehicle1: HeadlineVehicle
-    """Vehicle 1, where the exact solution is the answer and it can move."""
+    """Vehicle 1, where there is an answer and it can move."""
     vehicle2: HeadlineVehicle
     """Vehicle 2, likewise."""
+
+
+class Solution(Record):
+    """The answer by a part of the evidence, taken as exact."""
+
+    by: str
+    """That part, in words."""
+    speeds: _MaybePair
+    """(m/s) of both vehicles along their headings, if it gives them."""
+    delta_v: _MaybePair
+    """(m/s) of both vehicles; None for one that cannot move."""
+    outside: tuple[str, ...]
+    """Keys of the results that lie outside of the 95 % interval of all the evidence."""
+    differs_from_given: tuple[str, ...]
+    """Keys of given speeds from which it differs, where there are any."""
+    failed: tuple[str, ...]
+    """Codes of its checks that fail."""
 
 
 class Check(Record):
@@ -528,6 +553,8 @@ class _Document:
 class _Analysis(_Document):
     headline: Headline
     """The answer of a reconstruction, and how it was obtained."""
+    solutions: tuple[Solution, ...]
+    """The answers by parts of the evidence, where all of it was weighed."""
     left_aside: tuple[str, ...]
     """Keys of evidence that the numbers do not use, where there are any."""
     energy_basis: str
@@ -536,6 +563,8 @@ class _Analysis(_Document):
     """(–) share of the tangential work, where the energy basis is such a share."""
     warnings: tuple[CaseWarning, ...]
     """What speaks against the answer."""
+    solution_warnings: tuple[CaseWarning, ...]
+    """What speaks against the exact solution, where all the evidence was weighed."""
     checks: tuple[Check, ...]
     """The consistency checks."""
     found: Found | Any
@@ -709,6 +738,8 @@ class _Comparison(_Document):
     """The answers; the first is that of the case's own law."""
     evidence: Evidence
     """The answers by kind of evidence, where the case has several."""
+    left_aside: tuple[str, ...]
+    """Keys of evidence that the numbers do not use, where there are any."""
     warnings: tuple[CaseWarning, ...]
     """Those of the case as it stands."""
 
@@ -763,6 +794,8 @@ class _Sensitivity(_Document):
     """Keys of the case that were kept in every row, where there are any."""
     pdof_sweep_turned: tuple[str, ...]
     """Keys of the case that were turned with the direction, where there are any."""
+    left_aside: tuple[str, ...]
+    """Keys of evidence that the numbers do not use, where there are any."""
     warnings: tuple[CaseWarning, ...]
     """Those of the case as it stands."""
 
@@ -942,6 +975,10 @@ class _Uncertainty(_Document):
     """Sobol' indices of the first output, where they were asked for."""
     index_rows: IndexRows
     """The samples from which these are computed."""
+    headline: Headline
+    """The answer of a reconstruction at the central values: ``by`` is ``"none"`` where the intervals are not of it."""
+    left_aside: tuple[str, ...]
+    """Keys of evidence that the numbers do not use, where there are any."""
     warnings: tuple[CaseWarning, ...]
     """Those of the case as it stands."""
 
