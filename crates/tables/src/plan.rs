@@ -99,7 +99,7 @@ pub(crate) fn others(schema: &Schema) -> Result<Vec<usize>, TableError> {
 }
 
 /// The right spelling of a name that differs from a key in capital letters, or that only ends like one, as
-/// `v2.speed` does.
+/// `v2.speed` and `mass [kg]` do.
 fn meant(name: &str) -> Option<String> {
     let tables = || Shape::case().keys();
     let lower = name.to_lowercase();
