@@ -37,11 +37,13 @@ impl<T: Real> Advance<T> {
             }
             Self::FromStop { acceleration, up_to } => {
                 check::positive("acceleration from a stop", acceleration.value())?;
+                if let Some(speed) = up_to {
+                    of_speed(speed)?;
+                }
                 if distance.value() <= 0.0 {
                     return Ok(T::ZERO);
                 }
                 if let Some(speed) = up_to {
-                    of_speed(speed)?;
                     // s_v = v²/(2 a), where it reaches v
                     let reached = speed * speed / (acceleration * 2.0);
                     if distance.value() > reached.value() {

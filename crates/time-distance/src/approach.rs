@@ -71,13 +71,14 @@ const LONG: &str = "length of a phase before the impact";
 ///
 /// # Errors
 /// If a number is impossible: a negative length, a speed that would have been negative, an acceleration
-/// that does not lead from one speed to the other.
+/// that does not lead from one speed to the other; or if the beginning is not finite.
 pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
     let least = |what, value: T| check::at_least(what, value.value(), 0.0);
     let forward = |start: T| match start.value() {
         start if start < 0.0 => Err(InvalidInput::GainsMore { end: end.speed.value() }),
         start => check::finite(FROM, start),
     };
+    least("speed where a phase before the impact ends", end.speed)?;
     let any = |acceleration: T| check::finite("acceleration before the impact", acceleration.value());
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
@@ -128,7 +129,13 @@ pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, Invali
     };
     // s = (v₀ + v) t/2
     let distance = (speed + end.speed) * time * 0.5;
-    Ok(Leg { time: end.time - time, position: end.position - distance, speed, acceleration, jerk: T::ZERO })
+    let start =
+        Leg { time: end.time - time, position: end.position - distance, speed, acceleration, jerk: T::ZERO };
+    check::finite("time at which a phase before the impact begins", start.time.value())?;
+    check::finite("place where a phase before the impact begins", start.position.value())?;
+    check::finite(FROM, start.speed.value())?;
+    check::finite("acceleration before the impact", start.acceleration.value())?;
+    Ok(start)
 }
 
 /// (s) t = 2 s/(v₀ + v), which needs no acceleration.

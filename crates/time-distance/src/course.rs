@@ -9,7 +9,7 @@ const MOST_HALVINGS: usize = 200;
 const ROUNDING: f64 = 1e-14;
 
 /// (s) longest time after which a road user still counts as arriving.
-const LONGEST: f64 = 1e9;
+pub(crate) const LONGEST: f64 = 1e9;
 
 /// The beginning of a stretch of constant jerk, which lasts until the next begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,7 @@ impl<T: Real> Leg<T> {
 
 /// A motion: its legs in the order of their times. Before the first leg it moves as in the first, after the
 /// last as in the last. The speed must not be negative anywhere, so that a position is reached once.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course<'a, T = f64> {
     legs: &'a [Leg<T>],
 }

@@ -6,6 +6,9 @@ use real::Real;
 use crate::course::Course;
 use pim_core::check;
 
+/// (–) least sine of the angle between two paths: below it, rounding of the angle decides where they cross.
+const LEAST_SINE: f64 = 1e-9;
+
 /// A road user on a straight path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -20,7 +23,7 @@ pub struct Party<T = f64> {
 
 /// Two straight paths that cross.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Crossing<T = f64> {
     /// (rad) angle between the directions of travel.
     angle: T,
@@ -40,11 +43,12 @@ impl<T: Real> Crossing<T> {
     /// From the angle (rad) between the directions and the outlines.
     ///
     /// # Errors
-    /// If the paths are parallel, an outline is impossible, or a number is not finite.
+    /// If the paths are parallel (the sine of the angle is below 1e-9), the angle is beyond what
+    /// [`Real::sin_cos`] takes, an outline is impossible, or a number is not finite.
     pub fn new(angle: T, parties: [Party<T>; 2]) -> Result<Self, InvalidInput> {
-        check::finite("angle between the paths", angle.value())?;
+        check::angle("angle between the paths", angle.value())?;
         let (sin, _) = angle.sin_cos();
-        check::positive("sine of the angle between the paths", sin.abs().value())?;
+        check::at_least("sine of the angle between the paths", sin.abs().value(), LEAST_SINE)?;
         for party in &parties {
             check::at_least("distance to the front", party.front.value(), 0.0)?;
             check::at_least("distance to the rear", party.rear.value(), 0.0)?;
@@ -53,15 +57,14 @@ impl<T: Real> Crossing<T> {
         Ok(Self { angle, parties })
     }
 
-    /// (m) half the length, along the path of party 0 or 1, of the parallelogram that both sweep; its middle
-    /// is where the paths cross.
+    /// (m) half the length, along the path of each party, of the parallelogram that both sweep; its middle is
+    /// where the paths cross.
     #[must_use]
-    pub fn half_zone(&self, party: usize) -> T {
-        let [one, two] = &self.parties;
-        let (own, other) = if party == 0 { (one.width, two.width) } else { (two.width, one.width) };
+    pub fn half_zones(&self) -> [T; 2] {
+        let [one, two] = self.parties.each_ref().map(|party| party.width);
         let (sin, cos) = self.angle.sin_cos();
         // (w_other + w_own |cos θ|)/(2 |sin θ|)
-        (other + own * cos.abs()) / (sin.abs() * 2.0)
+        [(one, two), (two, one)].map(|(own, other)| (other + own * cos.abs()) / (sin.abs() * 2.0))
     }
 
     /// (m) distance that party 1 still has to travel until its rear has left the zone; 0 if it has already
@@ -72,29 +75,29 @@ impl<T: Real> Crossing<T> {
         let [_, party] = &self.parties;
         let (sin, _) = self.angle.sin_cos();
         // To the middle of the zone, out of it, and the rear: z + r − q/sin θ
-        let way = self.half_zone(1) + party.rear - aside / sin;
+        let [_, half] = self.half_zones();
+        let way = half + party.rear - aside / sin;
         if way.value() > 0.0 { way } else { T::ZERO }
     }
 
-    /// When party 0 or 1 is in the zone, on a course whose positions count from the crossing of the paths.
+    /// When each party is in the zone, on its course, whose positions count from the crossing of the paths.
     #[must_use]
-    pub fn occupancy(&self, party: usize, course: &Course<'_, T>) -> Occupancy<T> {
-        let half = self.half_zone(party);
-        let [one, two] = &self.parties;
-        let outline = if party == 0 { one } else { two };
-        Occupancy {
+    pub fn occupancies(&self, [one, two]: [&Course<'_, T>; 2]) -> [Occupancy<T>; 2] {
+        let [first, second] = &self.parties;
+        let [half_one, half_two] = self.half_zones();
+        [(one, first, half_one), (two, second, half_two)].map(|(course, outline, half)| Occupancy {
             enters: course.reaches(-half - outline.front),
             leaves: course.reaches(half + outline.rear),
-        }
+        })
     }
 }
 
 impl<T: Real> Occupancy<T> {
     /// (s) the time from this one's leaving to the other's entering; negative if both are in the zone
-    /// together. `None` if the other never enters.
+    /// together, and −∞ if this one stays. `None` if either never enters.
     #[must_use]
     pub fn margin_before(&self, other: &Self) -> Option<T> {
-        let enters = other.enters?;
+        let (_, enters) = (self.enters?, other.enters?);
         Some(match self.leaves {
             Some(leaves) => enters - leaves,
             None => T::from(f64::NEG_INFINITY),

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use real::Real;
 
-use crate::course::{Course, Leg, first_that_holds};
+use crate::course::{Course, LONGEST, Leg, first_that_holds};
 
 /// The least distance between two vehicles on one path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,8 @@ pub struct Gap<T = f64> {
 
 /// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is
 /// the difference of their positions. The whole motion has to be searched: two vehicles that stand apart in
-/// the end may have met before. The one ahead may come nearer, with a negative speed.
+/// the end may have met before; it is searched for 1e9 s at most. The one ahead may come nearer, with a
+/// negative speed.
 #[must_use]
 pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, to]: [T; 2]) -> Gap<T> {
     let mut least = gap_at(behind, ahead, from);
@@ -34,7 +35,8 @@ pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, 
 }
 
 /// The first contact of `behind` with `ahead` from time `from` (s) to `to` (s): the time at which the gap
-/// between them is first zero; `None` if it never is. The one ahead may come nearer, with a negative speed.
+/// between them is first zero; `None` if it never is within 1e9 s. The one ahead may come nearer, with a
+/// negative speed.
 #[must_use]
 pub fn first_contact<T: Real>(
     behind: &Course<'_, T>,
@@ -73,6 +75,7 @@ fn pieces<T: Real, B>(
     [from, to]: [T; 2],
     mut of: impl FnMut([T; 2]) -> ControlFlow<B>,
 ) -> ControlFlow<B> {
+    let to = to.min(from + T::from(LONGEST));
     let mut begin = from;
     while begin.value() < to.value() {
         let end = next_border(behind, begin).min(next_border(ahead, begin)).min(to);

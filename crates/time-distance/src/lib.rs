@@ -63,6 +63,8 @@ mod advance;
 mod approach;
 mod course;
 mod crossing;
+#[cfg(feature = "serde")]
+mod data;
 mod gap;
 mod response;
 mod sight;

@@ -27,7 +27,7 @@ pub enum Swell {
 /// What a driver does from the reaction demand on. In all methods, `speed` (m/s, not negative) is the speed
 /// at the demand, and `distance` (m, not negative) is measured from the position there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Response<T = f64> {
     /// (s) t_R, from the demand to the first effect of the brakes.
     reaction: T,
@@ -85,13 +85,13 @@ impl<T: Real> Response<T> {
         self.form
     }
 
-    /// The same with another reaction time (s).
+    /// The same with another reaction time (s), for which the caller vouches: it is not checked.
     #[must_use]
     pub fn with_reaction(self, reaction: T) -> Self {
         Self { reaction, ..self }
     }
 
-    /// The same with another deceleration (m/s²).
+    /// The same with another deceleration (m/s²), for which the caller vouches: it is not checked.
     #[must_use]
     pub fn with_deceleration(self, deceleration: T) -> Self {
         Self { deceleration, ..self }

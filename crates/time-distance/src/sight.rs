@@ -11,19 +11,38 @@ const MOST_SECANTS: usize = 12;
 const IN_LINE: f64 = 1e-12;
 
 /// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners
-/// come in their order. A line that only touches it is free.
+/// come in their order. A line that only touches it, at a corner or along a side, is free; none is free if a
+/// coordinate is not finite.
 #[must_use]
 pub fn sees(from: Vector2<f64>, to: Vector2<f64>, outline: &[Vector2<f64>]) -> bool {
-    let Some(last) = outline.last() else { return true };
-    let mut before = *last;
-    for corner in outline {
-        if cross(from, to, before, *corner) {
+    if ![from.x, from.y, to.x, to.y].into_iter().all(f64::is_finite) {
+        return false;
+    }
+    for (one, other) in sides(outline) {
+        let across = area(from, to, one) * area(from, to, other);
+        if across.is_nan() || across < 0.0 && area(one, other, from) * area(one, other, to) < 0.0 {
             return false;
         }
-        before = *corner;
     }
-    // No side is crossed: it is free unless it lies inside.
-    !(contains(outline, from) && contains(outline, to))
+    // No side is crossed: each piece of the line between the corners on it is all inside or all outside.
+    let way = to - from;
+    // (–) s = (c − a)·(b − a)/|b − a|²
+    let along = |corner: Vector2<f64>| (corner - from).dot(&way) / way.dot(&way);
+    let is_on_line = |corner: Vector2<f64>| area(from, to, corner) == 0.0;
+    let mut begin = 0.0;
+    while begin < 1.0 {
+        let corners = outline.iter().filter(|corner| is_on_line(**corner)).map(|corner| along(*corner));
+        let end = corners.filter(|share| *share > begin).fold(1.0, f64::min);
+        let middle = f64::midpoint(begin, end);
+        let runs_along = |(one, other)| {
+            is_on_line(one) && is_on_line(other) && (along(one) < middle) != (along(other) < middle)
+        };
+        if contains(outline, from + way * middle) && !sides(outline).any(runs_along) {
+            return false;
+        }
+        begin = end;
+    }
+    true
 }
 
 /// (s) the first moment, from `from` (s) to `to` (s), at which one road user sees the other; `None` if it
@@ -121,22 +140,16 @@ fn area(a: Vector2<f64>, b: Vector2<f64>, c: Vector2<f64>) -> f64 {
     (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 }
 
-/// Whether two segments cross inside of both.
-fn cross(a: Vector2<f64>, b: Vector2<f64>, c: Vector2<f64>, d: Vector2<f64>) -> bool {
-    area(a, b, c) * area(a, b, d) < 0.0 && area(c, d, a) * area(c, d, b) < 0.0
+/// The sides of an outline, each from one corner to the next.
+fn sides(outline: &[Vector2<f64>]) -> impl Iterator<Item = (Vector2<f64>, Vector2<f64>)> {
+    outline.last().into_iter().chain(outline).copied().zip(outline.iter().copied())
 }
 
 /// Whether an outline contains a point: a ray from it crosses an odd number of sides.
 fn contains(outline: &[Vector2<f64>], point: Vector2<f64>) -> bool {
-    let Some(last) = outline.last() else { return false };
-    let (mut inside, mut before) = (false, *last);
-    for corner in outline {
-        let is_between = (before.y > point.y) != (corner.y > point.y);
-        if is_between {
-            let x = before.x + (point.y - before.y) / (corner.y - before.y) * (corner.x - before.x);
-            inside ^= point.x < x;
-        }
-        before = *corner;
-    }
-    inside
+    let is_crossed = |(one, other): &(Vector2<f64>, Vector2<f64>)| {
+        (one.y > point.y) != (other.y > point.y)
+            && point.x < one.x + (point.y - one.y) / (other.y - one.y) * (other.x - one.x)
+    };
+    sides(outline).filter(is_crossed).count() % 2 == 1
 }

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use time_distance::{
-    Advance, Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_contact,
-    first_sight, free_since, least_gap, sees,
+    Advance, Course, Crossing, InvalidInput, Leg, Party, Phase, Response, Swell, Vector2, approach,
+    first_contact, first_sight, free_since, least_gap, sees,
 };
 
 fn rest() -> Leg {
@@ -111,8 +111,7 @@ proptest! {
     fn a_zone_is_what_both_sweep(angle in 0.3..2.8_f64, w1 in 0.5..3.0_f64, w2 in 0.5..3.0_f64) {
         let of = |width| Party { front: 2.0, rear: 1.5, width };
         let crossing = Crossing::new(angle, [of(w1), of(w2)]).unwrap();
-        for party in 0..2 {
-            let (own, other) = if party == 0 { (w1, w2) } else { (w2, w1) };
+        for ((own, other), half) in [(w1, w2), (w2, w1)].into_iter().zip(crossing.half_zones()) {
             // Points of the own strip that lie in the other's: the extreme along the own path.
             let mut most = 0.0_f64;
             for i in 0..=2000 {
@@ -121,11 +120,11 @@ proptest! {
                 let x = (other / 2.0 + (y * angle.cos()).abs()) / angle.sin().abs();
                 most = most.max(x);
             }
-            prop_assert!((crossing.half_zone(party) - most).abs() < 1e-9, "{} {}", crossing.half_zone(party), most);
+            prop_assert!((half - most).abs() < 1e-9, "{half} {most}");
         }
         // The other way round is the same.
         let turned = Crossing::new(-angle, [of(w1), of(w2)]).unwrap();
-        prop_assert!((turned.half_zone(0) - crossing.half_zone(0)).abs() < 1e-12);
+        prop_assert!((turned.half_zones()[0] - crossing.half_zones()[0]).abs() < 1e-12);
     }
 
     #[test]
@@ -188,6 +187,92 @@ fn a_corner_hides_until_the_line_is_free() {
     assert_eq!(free_since(wide, &[&house], [0.0, 4.0], 500), None);
     let behind = |_: f64| [p(-20.0, 4.0), p(30.0, 4.0)];
     assert_eq!(first_sight(behind, &[&house], [0.0, 5.0], 50), None);
+}
+
+/// A line through corners is free only where it does not lead through the inside between them.
+#[test]
+fn a_line_through_a_corner_is_hidden_inside_only() {
+    let p = |x, y| Vector2::new(x, y);
+    // Its corners (10, 15) and (20, 5) lie on x + y = 25, (10, 5) and (20, 15) on y = x − 5.
+    let square = [p(10.0, 5.0), p(20.0, 5.0), p(20.0, 15.0), p(10.0, 15.0)];
+    let diamond = [p(0.0, 1.0), p(1.0, 0.0), p(0.0, -1.0), p(-1.0, 0.0)];
+    // A slot from x = 2 to 4 opens upward; its floor is at y = 1.
+    let u = [(0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (4.0, 3.0), (4.0, 1.0), (2.0, 1.0), (2.0, 3.0), (0.0, 3.0)]
+        .map(|(x, y)| p(x, y));
+    let cases = [
+        // through two corners, and from within through one
+        (&square[..], [5.0, 0.0, 25.0, 20.0], false),
+        (&square[..], [0.0, 25.0, 25.0, 0.0], false),
+        (&diamond[..], [-5.0, 0.0, 5.0, 0.0], false),
+        (&square[..], [15.0, 10.0, 25.0, 20.0], false),
+        // in at a corner and out through a side
+        (&square[..], [5.0, 0.0, 25.0, 10.0], false),
+        (&square[..], [10.0, 0.0, 12.5, 20.0], false),
+        // from side to side, from corner to corner, along a side within and beyond it
+        (&square[..], [10.0, 7.0, 20.0, 9.0], false),
+        (&square[..], [10.0, 5.0, 20.0, 15.0], false),
+        (&square[..], [0.0, 5.0, 30.0, 5.0], true),
+        (&square[..], [12.0, 5.0, 18.0, 5.0], true),
+        // past one corner, to one corner, away from a side
+        (&diamond[..], [-5.0, 1.0, 5.0, 1.0], true),
+        (&square[..], [0.0, 0.0, 10.0, 5.0], true),
+        (&square[..], [20.0, 9.0, 25.0, 9.0], true),
+        // along the floor of the slot alone, on through a wall of it, over both walls, into the slot
+        (&u[..], [2.0, 1.0, 4.0, 1.0], true),
+        (&u[..], [2.0, 1.0, 5.0, 1.0], false),
+        (&u[..], [-1.0, 3.0, 7.0, 3.0], true),
+        (&u[..], [3.0, 5.0, 2.0, 1.0], true),
+        (&u[..], [-1.0, 2.0, 3.0, 2.0], false),
+        // through the reflex corner of the slot into the ground
+        (&u[..], [3.0, 2.0, 1.0, 0.0], false),
+        // what is nowhere sees nothing
+        (&square[..], [f64::NAN, 0.0, 0.0, 0.0], false),
+        (&square[..], [0.0, 0.0, 0.0, f64::INFINITY], false),
+    ];
+    for (outline, [x, y, to_x, to_y], free) in cases {
+        for turned in 0..outline.len() {
+            let mut corners = outline.to_vec();
+            corners.rotate_left(turned);
+            for _ in 0..2 {
+                corners.reverse();
+                assert_eq!(sees(p(x, y), p(to_x, to_y), &corners), free, "{x} {y} {to_x} {to_y} {corners:?}");
+                assert_eq!(sees(p(to_x, to_y), p(x, y), &corners), free, "{to_x} {to_y} {x} {y} {corners:?}");
+            }
+        }
+    }
+    let through = |_: f64| [p(-5.0, 0.0), p(5.0, 0.0)];
+    assert_eq!(first_sight(through, &[&diamond], [0.0, 5.0], 50), None);
+    assert!(!sees(p(f64::NAN, 0.0), p(1.0, 0.0), &[]));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    /// On a grid, where lines meet corners and run along sides all the time: hidden where one of many points
+    /// of the line is inside of a triangle, by the signs of integers.
+    #[test]
+    fn sight_past_a_triangle_is_that_of_its_points(
+        c in [[0..7_i64, 0..7_i64], [0..7_i64, 0..7_i64], [0..7_i64, 0..7_i64]],
+        a in [0..7_i64, 0..7_i64],
+        b in [0..7_i64, 0..7_i64],
+    ) {
+        let turn = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        };
+        if a == b || turn(c[0], c[1], c[2]) == 0 {
+            return Ok(());
+        }
+        // Pieces inside are longer than a thousandth of the line.
+        const PARTS: i64 = 2999;
+        let scaled = c.map(|corner| corner.map(|x| x * PARTS));
+        let is_inside = |point: [i64; 2]| {
+            let signs = [0, 1, 2].map(|i| turn(scaled[i], scaled[(i + 1) % 3], point).signum());
+            signs == [1; 3] || signs == [-1; 3]
+        };
+        let hidden = (1..PARTS).any(|i| is_inside([0, 1].map(|axis| a[axis] * (PARTS - i) + b[axis] * i)));
+        let p = |[x, y]: [i64; 2]| Vector2::new(x as f64, y as f64);
+        prop_assert_eq!(sees(p(a), p(b), &c.map(p)), !hidden);
+    }
 }
 
 /// By halvings alone, the moment of a change between two steps.
@@ -262,8 +347,82 @@ fn who_is_in_the_zone_when() {
     let george = response.legs(100.0).map(|leg| Leg { position: leg.position - 125.0, ..leg });
     let bill = [Leg { speed: 30.0, position: -150.0, ..rest() }];
     let (george, bill) = (Course::new(&george).unwrap(), Course::new(&bill).unwrap());
-    let [george, bill] = [crossing.occupancy(0, &george), crossing.occupancy(1, &bill)];
+    let [george, bill] = crossing.occupancies([&george, &bill]);
     assert!((george.leaves.unwrap() - 1.880_367).abs() < 1e-6, "{george:?}");
     assert!((bill.enters.unwrap() - 4.666_667).abs() < 1e-6, "{bill:?}");
     assert!((george.margin_before(&bill).unwrap() - 2.7863).abs() < 1e-4 && !george.overlaps(&bill));
+}
+
+/// A road user who never comes leaves no margin; one who stays leaves none that is finite.
+#[test]
+fn who_never_enters_has_no_margin() {
+    let party = Party { front: 1.0, rear: 1.0, width: 2.0 };
+    let crossing = Crossing::new(1.0, [party, party]).unwrap();
+    let [away, stays, comes] = [(-50.0, 0.0), (0.0, 0.0), (-50.0, 10.0)]
+        .map(|(position, speed)| [Leg { position, speed, ..rest() }]);
+    let [away, stays, comes] = [&away, &stays, &comes].map(|legs| Course::new(legs).unwrap());
+    let [never, enters] = crossing.occupancies([&away, &comes]);
+    assert_eq!((never.margin_before(&enters), enters.margin_before(&never)), (None, None));
+    let [stays, enters] = crossing.occupancies([&stays, &comes]);
+    assert_eq!(stays.margin_before(&enters), Some(f64::NEG_INFINITY));
+}
+
+#[test]
+fn parallel_paths_do_not_cross() {
+    let party = Party { front: 1.0, rear: 1.0, width: 2.0 };
+    let pi = std::f64::consts::PI;
+    for angle in [0.0, pi, -pi, 2.0 * pi, 1e-10] {
+        let refusal = Crossing::new(angle, [party, party]).unwrap_err().to_string();
+        assert!(refusal.contains("sine of the angle between the paths"), "{refusal}");
+    }
+    let refusal = Crossing::new(1e300, [party, party]).unwrap_err();
+    assert!(matches!(refusal, InvalidInput::OutOfRange { what: "angle between the paths", .. }), "{refusal}");
+    assert!(Crossing::new(1e-6, [party, party]).is_ok());
+}
+
+/// 10 m/s toward a vehicle that stands 50 m ahead, without an end to the search.
+#[test]
+fn a_contact_is_found_without_an_end() {
+    let (behind, ahead) = ([Leg { speed: 10.0, ..rest() }], [Leg::at_rest(0.0, 50.0)]);
+    let (behind, ahead) = (Course::new(&behind).unwrap(), Course::new(&ahead).unwrap());
+    let met = first_contact(&behind, &ahead, [0.0, f64::INFINITY]).unwrap();
+    assert!((met.time - 5.0).abs() < 1e-9 && met.distance.abs() < 1e-9, "{met:?}");
+    assert_eq!(first_contact(&ahead, &behind, [0.0, f64::INFINITY]).map(|gap| gap.time), Some(0.0));
+    assert_eq!(first_contact(&behind, &behind, [0.0, f64::INFINITY]).map(|gap| gap.time), Some(0.0));
+    let apart = [Leg { speed: 10.0, position: 1.0, ..rest() }];
+    assert_eq!(first_contact(&behind, &Course::new(&apart).unwrap(), [0.0, f64::INFINITY]), None);
+}
+
+#[test]
+fn a_beginning_that_is_no_motion_is_refused() {
+    let end = |speed: f64| Leg { speed, ..rest() };
+    let phases = [
+        Phase::Over { distance: 1.0, acceleration: -1.0 },
+        Phase::For { time: 1.0, acceleration: -1.0 },
+        Phase::FromRest { acceleration: 1.0 },
+        Phase::From { speed: 10.0, acceleration: -1.0 },
+        Phase::FromOver { speed: 1.0, distance: 1.0 },
+        Phase::FromFor { speed: 1.0, time: 1.0 },
+        Phase::OverFor { distance: 1.0, time: 1.0 },
+    ];
+    for phase in phases {
+        for speed in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0] {
+            assert!(approach(&end(speed), phase).is_err(), "{phase:?} {speed}");
+        }
+        assert!(approach(&Leg { time: f64::NAN, ..end(1.0) }, phase).is_err(), "{phase:?}");
+        assert!(approach(&Leg { position: f64::INFINITY, ..end(1.0) }, phase).is_err(), "{phase:?}");
+    }
+    assert!(approach(&end(5e-324), Phase::Over { distance: 1.0, acceleration: 0.0 }).is_err());
+    assert!(approach(&end(2.0), Phase::FromFor { speed: 1.0, time: 5e-324 }).is_err());
+}
+
+#[test]
+fn a_start_is_refused_over_any_distance() {
+    for distance in [0.0, 1.0] {
+        assert!(Advance::FromStop { acceleration: 1.0, up_to: Some(-1.0) }.time_over(distance).is_err());
+        assert!(
+            Advance::FromStop { acceleration: 1.0, up_to: Some(f64::NAN) }.speed_after(distance).is_err()
+        );
+        assert!(Advance::FromStop { acceleration: 0.0, up_to: None }.time_over(distance).is_err());
+    }
 }

@@ -12,3 +12,5 @@ mod examples;
 mod printed;
 #[cfg(test)]
 mod recorded;
+#[cfg(test)]
+mod written;

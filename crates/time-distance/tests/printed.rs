@@ -262,7 +262,8 @@ fn check(id: &str, e: &Example) {
                 position: -e.input("width_ft") / 2.0,
                 ..Leg::at_rest(0.0, 0.0)
             }];
-            let leaves = crossing.occupancy(0, &Course::new(&legs).unwrap()).leaves.unwrap();
+            let course = Course::new(&legs).unwrap();
+            let leaves = crossing.occupancies([&course; 2])[0].leaves.unwrap();
             assert!((leaves - e.all("recomputed", "all_red_s")[0]).abs() < 1e-5, "{leaves}");
         }
         "ped-interval-130ft" => {
