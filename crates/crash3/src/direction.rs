@@ -78,6 +78,7 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
 /// the three centres printed in its manual are within 1 cm of this centroid, and up to 21 cm from that of the
 /// area.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EnergyMoments<T = f64> {
     /// (m) of all zones.
     pub width: T,

@@ -58,7 +58,8 @@
 //! # What it does not do
 //!
 //! It does not find the direction of force: the PDOF is an input (`pim-core` computes it from impulse and
-//! momentum). It uses SI units only; the module with CRASH3's tables converts them.
+//! momentum). It uses SI units only; the module with CRASH3's tables converts them. Inputs have to be finite,
+//! but are not limited to what vehicles have: those beyond 1e±50 may have results that are infinite or NaN.
 //!
 //! # References
 //!

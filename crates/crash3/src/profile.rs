@@ -25,12 +25,13 @@ pub struct Zone<T = f64> {
     pub depths: [T; 2],
 }
 
-/// (m) w = L/(N−1): the spacing of N = `stations` over the damage width L = `width` (m).
+/// (m) w = L/(N−1): the spacing of N = `stations`, two or more, over the damage width L = `width` (m);
+/// infinite for fewer.
 #[inline(always)]
 #[must_use]
 pub fn equal_spacing<T: Real>(width: T, stations: usize) -> T {
     #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
-    let intervals = (stations - 1) as f64;
+    let intervals = stations.saturating_sub(1) as f64;
     width / intervals
 }
 

@@ -91,6 +91,7 @@ const CLASSES: [[f64; 7]; 6] = [
 /// CRASH3's typical passenger car of a size class. The classes are ordered by wheelbase, from 93 in (2.37 m)
 /// for class 1 to 125 in (3.18 m) for class 6.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VehicleClass {
     /// (m) between the axles.
     pub wheelbase: f64,

@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crash3::{
     CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, StruckVehicle, crush_energy,
-    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force, zone_force,
+    crush_range_from_force, delta_v, energy_equivalent_speed, equal_spacing, moment_arm, peak_force,
+    zone_force,
 };
 use oracle::compare::{assert_close, assert_direction, assert_relative};
 use oracle::scenes::{Scene, for_all, scene_under};
@@ -110,6 +111,14 @@ fn a_station_on_the_line_between_two_changes_nothing() {
             assert_relative("L", finer.width(), profile.width(), 1e-12);
             true
         },
+    );
+}
+
+#[test]
+fn fewer_than_two_stations_have_no_spacing() {
+    assert_eq!(
+        [0, 1, 2, 5].map(|stations| equal_spacing(1.0, stations)),
+        [f64::INFINITY, f64::INFINITY, 1.0, 0.25]
     );
 }
 

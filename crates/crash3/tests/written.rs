@@ -2,8 +2,8 @@
 //! are refused.
 
 use crash3::{
-    BarrierTest, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
-    Yielding, crush_range_from_force,
+    BarrierTest, DamagedFace, EnergyBasis, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness,
+    Stiffness, VehicleClass, Yielding, crush_range_from_force,
 };
 use oracle::scenes::for_all;
 use oracle::written::{assert_again, assert_refused};
@@ -28,6 +28,8 @@ fn damage() {
         assert_again(&SideStiffness::Uniform(stiffness));
     }
     assert_again(&SideStiffness::Zones(vec![rising, saturated]));
+    assert_again(&EnergyMoments::of(&profile, &SideStiffness::Uniform(rising)).unwrap());
+    assert_again(&VehicleClass::new(3).unwrap());
     let yielding: Vec<Yielding> = profile.zones().map(|zone| zone.yielding(&saturated)).collect();
     assert!(matches!(yielding[0], Yielding::Partly { .. }));
     assert_again(&yielding);

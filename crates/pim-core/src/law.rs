@@ -353,6 +353,9 @@ impl<T: Real> Law<T> {
             Some(mu) if k.nn + mu * k.nt <= T::ZERO => {
                 ImpactError::Jam { impulse_ratio: mu.value(), k_nn: k.nn.value(), k_nt: k.nt.value() }
             }
+            _ if !asks_for.normal.is_finite() => {
+                ImpactError::Overflow { what: "normal impulse", value: asks_for.normal.value() }
+            }
             _ => ImpactError::Pulling { normal_impulse: asks_for.normal.value() },
         }
     }

@@ -73,7 +73,8 @@
 //!
 //! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the
 //! impact, no units other than SI, no third dimension: roll, pitch and suspension forces are outside planar
-//! impact mechanics.
+//! impact mechanics. An impact is refused if an energy leaves the range of double precision; with numbers as
+//! extreme as a yaw inertia of 1e-300 kg·m², other results may leave it nevertheless.
 //!
 //! # References
 //!

@@ -54,7 +54,7 @@ impl<T: Real> RestitutionCurve<T> {
         [next.checked_sub(1).and_then(|i| self.points.get(i)).copied(), self.points.get(next).copied()]
     }
 
-    /// e at a closing speed (m/s) between two neighbouring points.
+    /// e at a closing speed (m/s) between two neighbouring points, of different speeds.
     #[inline(always)]
     #[must_use]
     pub fn between([(v0, e0), (v1, e1)]: [(T, T); 2], closing_speed: T) -> T {

@@ -423,6 +423,11 @@ fn numbers_beyond_double_precision_are_no_impact() {
         matches!(result, Err(ImpactError::Overflow { what: "initial kinetic energy", .. })),
         "{result:?}"
     );
+    // The square of the inverse inertia overflows, and with it the impulse.
+    let flat = Participant::new(Body::new(1500.0, 1e-300).unwrap(), 0.0, 1.5, -0.5).unwrap();
+    let solid = Participant::new(Body::new(1500.0, 2500.0).unwrap(), PI, 1.5, 0.5).unwrap();
+    let result = Contact::new([flat, solid], 0.0).unwrap().impact(towards_each_other(), &law);
+    assert!(matches!(result, Err(ImpactError::Overflow { what: "normal impulse", .. })), "{result:?}");
 }
 
 /// The message of a jam names the ratio at which it ends: slightly beyond it there is an impulse.
