@@ -10,7 +10,7 @@ use crate::problem::Problem;
 pub const FASTEST: f64 = 1000.0;
 
 /// The answer: the speed, and its impact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
@@ -37,7 +37,7 @@ pub struct Reconciliation<T = f64> {
 ///
 /// Code that depends on the variant matches without a catch-all arm, so that a new one must be decided there
 /// before it compiles; adding one is a breaking change.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SolutionMethod {
@@ -58,7 +58,7 @@ pub struct Iteration {
 }
 
 /// The steps that led to the speed found.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Iterations {
     steps: [Iteration; MAX_STEPS],
     count: usize,

@@ -13,7 +13,8 @@ const HALVING_REACH: f64 = (1_u64 << (MAX_STEPS - 4)) as f64;
 /// Why there is no root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RootError {
-    /// The function has the same sign at both ends, or is not a number there.
+    /// The function has the same sign at both ends, or is not a number there; or the ends are infinitely far
+    /// apart.
     NotBracketed {
         /// Values at the ends.
         ends: [f64; 2],
@@ -38,15 +39,19 @@ pub enum RootError {
 /// R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 4.
 ///
 /// # Errors
-/// [`RootError`] if the signs are equal, a value is NaN, or [`MAX_STEPS`] evaluations do not reach the
-/// tolerance.
+/// [`RootError`] if the signs are equal, a value is NaN, the length of the bracket is not finite, or
+/// [`MAX_STEPS`] evaluations do not reach the tolerance.
 pub fn brent(
     f: impl Fn(f64) -> f64,
     ends: [f64; 2],
     tolerance: f64,
     observe: impl FnMut(f64, f64),
 ) -> Result<f64, RootError> {
+    let [a, b] = ends;
     let ends = ends.map(|x| (x, f(x)));
+    if !(b - a).is_finite() {
+        return Err(RootError::NotBracketed { ends: ends.map(|(_, value)| value) });
+    }
     brent_between(f, ends, tolerance, observe)
 }
 

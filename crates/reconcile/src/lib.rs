@@ -74,7 +74,7 @@
 //! | feature | adds |
 //! |---|---|
 //! | `std`, on by default | nothing. Without it the crate is `no_std`; its engines need `alloc`; results have the same bits |
-//! | `serde` | serialisation of problems and answers, not of errors |
+//! | `serde` | serialisation of problems and answers, not of errors, [`MomentumAndCrush`] and [`MomentumBesideCrush`] |
 //!
 //! # What it does not do
 //!
@@ -114,5 +114,9 @@ pub use line::ApproachLine;
 pub use momentum::{
     BothSpeeds, COLLINEAR, Departure, EvidenceErrors, Implied, Momentum, MomentumAndCrush,
     MomentumBesideCrush, MomentumError, WeighedSpeeds, are_collinear, central_contact, point_masses,
+};
+pub use pim_core::{
+    Body, Contact, InvalidInput, Law, Motion, Participant, RestitutionCurve, Tangential, VaryingLaw, Vector2,
+    VehicleId,
 };
 pub use problem::Problem;

@@ -1,5 +1,6 @@
 //! A problem that can be solved for a speed.
 
+use pim_core::check;
 use real::Real;
 
 use crate::error::ReconcileError;
@@ -28,6 +29,13 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
         let posed = Posed { problem: self, line: self.line() };
-        if self.makes_sense(posed.line.slope) { Ok(posed) } else { Err(self.refusal()) }
+        let ApproachLine { at_rest, slope, relative_yaw_rate } = posed.line;
+        if !self.makes_sense(slope) {
+            return Err(self.refusal());
+        }
+        check::finite("normal relative velocity", at_rest.normal.value())?;
+        check::finite("tangential relative velocity", at_rest.tangential.value())?;
+        check::finite("relative yaw rate", relative_yaw_rate.value())?;
+        Ok(posed)
     }
 }

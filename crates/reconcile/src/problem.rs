@@ -67,11 +67,11 @@ impl<T: Real> Problem<T> {
     /// Whether the problem is valid.
     ///
     /// # Errors
-    /// If the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on
-    /// u_n.
+    /// If the vehicle is fixed, the crush energy is not positive, e = 1, the speed has no effect on u_n, or a
+    /// motion is not finite.
     #[inline(always)]
     pub fn check(&self) -> Result<(), ReconcileError> {
-        if self.makes_sense(self.line().slope) { Ok(()) } else { Err(self.refusal()) }
+        self.posed().map(|_| ())
     }
 
     #[inline(always)]

@@ -554,6 +554,31 @@ fn a_fixed_object_takes_the_momentum() {
     }
 }
 
+/// By hand: a central impact at 2 m/s after it with e = 0.2 was one at 10 m/s.
+#[test]
+fn only_a_vehicle_comes_out_of_a_wall() {
+    let body = || Body::new(1500.0, 2500.0).unwrap();
+    let car = Participant::new(body(), 0.0, 1.5, 0.0).unwrap();
+    let other = Participant::new(body(), PI, 1.5, 0.0).unwrap();
+    let thrown_back = Departure { velocity: Vector2::new(-2.0, 0.0), yaw_rate: None };
+    let stays = Departure { velocity: Vector2::new(0.0, 0.0), yaw_rate: None };
+    let into = |hit: Participant| Momentum {
+        contact: Contact::new([car, hit], 0.0).unwrap(),
+        yaw_rates: [0.0; 2],
+        after: [thrown_back, stays],
+    };
+    let wall = into(Participant::barrier());
+    assert_close("v", wall.speed_into_wall(VehicleId::One, 0.2).unwrap(), 10.0, 1e-12);
+    for e in [7.0, -0.2, f64::NAN, f64::INFINITY] {
+        let refused = wall.speed_into_wall(VehicleId::One, e);
+        assert!(matches!(refused, Err(MomentumError::Invalid(_))), "{refused:?}");
+    }
+    let two = VehicleId::Two;
+    assert_eq!(wall.speed_into_wall(two, 0.2), Err(MomentumError::Fixed { vehicle: two }));
+    let refused = into(other).speed_into_wall(VehicleId::One, 0.2);
+    assert_eq!(refused, Err(MomentumError::Movable { vehicle: two }));
+}
+
 #[test]
 fn what_has_no_answer_says_why() {
     let m = in_line(0.0, FRAC_PI_2, [3.0, 4.0], false);
@@ -583,6 +608,8 @@ fn what_has_no_answer_says_why() {
     ));
     assert!(Momentum { yaw_rates: [0.0, f64::NAN], ..m }.speeds().is_err());
     assert!(m.implied([f64::NAN, 0.0]).is_err() && m.implied([0.0, f64::INFINITY]).is_err());
+    // The squares of these speeds are infinite.
+    assert!(m.implied([1e300, 1.0]).is_err() && m.implied([1.0, -1e300]).is_err());
 
     let along = in_line(0.0, 0.0, [6.0, 6.0], false);
     let refused = |axis: Vector2<f64>, energy: f64, e: f64| {

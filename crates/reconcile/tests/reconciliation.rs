@@ -494,6 +494,27 @@ fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem
     posed(contact, law, motions, VehicleId::One, energy, EnergyBasis::Dissipated)
 }
 
+/// A motion that is no number is told as such, not as a speed that another vehicle does not reach.
+#[test]
+fn motions_are_finite() {
+    let problem = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap();
+    for bad in [f64::NAN, f64::INFINITY] {
+        let moves = |velocity: [f64; 2], yaw_rate: f64| Motion { velocity: velocity.into(), yaw_rate };
+        for known in [moves([bad, 0.0], 0.0), moves([0.0, bad], 0.0), moves([0.0; 2], bad)] {
+            let problem = Problem { motions: [problem.motions[0], known], ..problem.clone() };
+            let refused = problem.check();
+            assert!(matches!(refused, Err(ReconcileError::Impact(ImpactError::Invalid(_)))), "{refused:?}");
+            let unsolved = problem.solve();
+            assert!(matches!(unsolved, Err(ReconcileError::Impact(ImpactError::Invalid(_)))), "{unsolved:?}");
+        }
+        let turning = Problem { motions: [moves([0.0; 2], bad), problem.motions[1]], ..problem.clone() };
+        assert!(turning.check().is_err());
+        // Its velocity is not used.
+        let sought = Problem { motions: [moves([bad; 2], 5.0), problem.motions[1]], ..problem.clone() };
+        assert_eq!(sought.check(), Ok(()));
+    }
+}
+
 /// The numbers of the hand calculation above, with ω = 5: P_n = (10 − x)/3, and c = 2 · 1.5 J.
 #[test]
 fn the_numbers_on_the_way_by_hand() {

@@ -56,6 +56,14 @@ fn equal_signs_are_no_bracket() {
 }
 
 #[test]
+fn ends_infinitely_far_apart_are_no_bracket() {
+    for bracket in [[f64::NEG_INFINITY, f64::INFINITY], [0.0, f64::INFINITY], [-1e308, 1e308]] {
+        let found = solve(|x| x - 0.5, bracket).0;
+        assert!(matches!(found, Err(RootError::NotBracketed { .. })), "{found:?}");
+    }
+}
+
+#[test]
 fn nan_is_no_bracket_and_no_answer() {
     for bracket in [[f64::NAN, 1.0], [-1.0, f64::NAN]] {
         assert!(matches!(solve(|x| x, bracket).0, Err(RootError::NotBracketed { .. })));

@@ -19,6 +19,12 @@ pub enum MomentumError {
         /// Which vehicle.
         vehicle: VehicleId,
     },
+    /// The body that was hit is no fixed object.
+    #[error("vehicle {vehicle} can move, so it is no fixed object; find both speeds from momentum")]
+    Movable {
+        /// Which vehicle.
+        vehicle: VehicleId,
+    },
     /// An input is impossible.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),

@@ -1,6 +1,6 @@
 //! Results that follow from both speeds and the velocities after impact.
 
-use pim_core::{Motion, NormalTangential, Real, Vector2, normal_work, pdof};
+use pim_core::{Motion, NormalTangential, Real, Vector2, check, normal_work, pdof};
 
 use crate::momentum::{Momentum, cross, error::MomentumError};
 
@@ -69,7 +69,8 @@ impl<T: Real> Momentum<T> {
     /// own.
     ///
     /// # Errors
-    /// Those of [`check`](Momentum::check) except for a fixed object, or if a speed is not finite.
+    /// Those of [`check`](Momentum::check) except for a fixed object, or if a speed or the energy loss is not
+    /// finite.
     pub fn implied(&self, speeds: [T; 2]) -> Result<Implied<T>, MomentumError> {
         self.check_numbers()?;
         super::finite("speed of vehicle 1", speeds[0])?;
@@ -114,6 +115,7 @@ impl<T: Real> Momentum<T> {
         // E_L = T_before − T_after
         let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after[0]))
             + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after[1]));
+        check::finite("energy loss", energy_loss.value())?;
         // A PDOF is measured from the heading, whatever the course.
         let [f1, f2] = self.contact.participants().each_ref().map(|participant| participant.forward());
         Ok(Implied {

@@ -1,6 +1,6 @@
 //! The speed into a fixed object, from the motion after the impact.
 
-use pim_core::{Motion, Real, VehicleId};
+use pim_core::{Motion, Real, VehicleId, check};
 
 use crate::momentum::{Momentum, MomentumError, cross, possible};
 
@@ -19,12 +19,20 @@ impl<T: Real> Momentum<T> {
     /// For a central impact this is v_n = −V_n/e.
     ///
     /// # Errors
-    /// If the other body is not fixed, a number is not finite, the speed after the impact hardly depends on
-    /// that before, or the vehicle would not approach.
+    /// If the vehicle is fixed or the other body is not, the restitution is not between 0 and 1, a number is
+    /// not finite, the speed after the impact hardly depends on that before, or the vehicle would not
+    /// approach.
     pub fn speed_into_wall(&self, vehicle: VehicleId, restitution: T) -> Result<T, MomentumError> {
         self.check_numbers()?;
+        check::within("coefficient of restitution", restitution.value(), 0.0, 1.0)?;
         let i = vehicle.index();
         let participant = &self.contact.participants()[i];
+        if participant.body().is_fixed() {
+            return Err(MomentumError::Fixed { vehicle });
+        }
+        if !self.contact.participants()[vehicle.other().index()].body().is_fixed() {
+            return Err(MomentumError::Movable { vehicle: vehicle.other() });
+        }
         let (body, arm, course) = (participant.body(), participant.arm(), participant.course());
         // The other body is at rest before and after.
         let pair = |motion: Motion<T>| {

@@ -55,7 +55,7 @@ pub struct MomentumBesideCrush {
 }
 
 /// The answer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WeighedSpeeds {
