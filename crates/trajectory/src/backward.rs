@@ -112,6 +112,7 @@ pub struct Target {
 
 /// One motion after the impact that leads to the rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StartMotion {
     /// Velocity and yaw rate at separation.
     pub motion: Motion<f64>,

@@ -10,7 +10,7 @@ use crate::footing::{Crossing, Footing, Pose};
 use crate::ground::Ground;
 use crate::number::Direction;
 use crate::progress::{Outlook, Pace, Progress, error_squared};
-use crate::state::{Control, MotionEnergy, Rest, Sample, State};
+use crate::state::{Control, GREATEST_SPEED, GREATEST_YAW_RATE, MotionEnergy, Rest, Sample, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering, Step};
 use pim_core::check;
@@ -82,9 +82,10 @@ fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), Inval
     check::finite("position along x at the start", start.position.x.value())?;
     check::finite("position along y at the start", start.position.y.value())?;
     check::angle("heading at the start", start.heading.value())?;
-    check::finite("velocity along x at the start", start.motion.velocity.x.value())?;
-    check::finite("velocity along y at the start", start.motion.velocity.y.value())?;
-    check::finite("yaw rate at the start", start.motion.yaw_rate.value())?;
+    let Motion { velocity, yaw_rate } = &start.motion;
+    check::within("velocity along x at the start", velocity.x.value(), -GREATEST_SPEED, GREATEST_SPEED)?;
+    check::within("velocity along y at the start", velocity.y.value(), -GREATEST_SPEED, GREATEST_SPEED)?;
+    check::within("yaw rate at the start", yaw_rate.value(), -GREATEST_YAW_RATE, GREATEST_YAW_RATE)?;
     check::positive("tolerance", control.tolerance)?;
     check::positive("longest time", control.longest_time)?;
     check::positive("longest step", control.longest_step)

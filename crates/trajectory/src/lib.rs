@@ -71,7 +71,7 @@
 //! | feature | adds |
 //! |---|---|
 //! | `std`, on by default | `to_rests`. Without it the crate is `no_std`; results have the same bits |
-//! | `serde` | serialisation of plain inputs, states and rests, not of a chassis or errors |
+//! | `serde` | serialisation of states, samples, rests and the numbers of the closed forms, not of a chassis, [`Ground`], [`Steer`], [`Starts`] or errors |
 //!
 //! # What it does not do
 //!
@@ -111,6 +111,6 @@ pub use forward::to_rest;
 pub use ground::{FrictionZone, GREATEST_FRICTION, GREATEST_GRADE, Ground, Region};
 pub use pim_core::{Body, InvalidInput, Motion, Vector2};
 pub use real::Real;
-pub use state::{Control, MotionEnergy, Rest, Sample, State};
+pub use state::{Control, GREATEST_SPEED, GREATEST_YAW_RATE, MotionEnergy, Rest, Sample, State};
 pub use steer::Steer;
 pub use tyre::CORNERING_STIFFNESS;

@@ -3,6 +3,11 @@
 use pim_core::{Motion, Vector2};
 use real::Real;
 
+/// (m/s) greatest speed along either axis at a start: no vehicle is faster.
+pub const GREATEST_SPEED: f64 = 1000.0;
+/// (rad/s) greatest yaw rate at a start, to either side.
+pub const GREATEST_YAW_RATE: f64 = 1000.0;
+
 /// Position and motion of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -31,6 +36,8 @@ impl<T: Real> State<T> {
 
 /// One instant of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct Sample<T = f64> {
     /// (s) since the start.
     pub time: T,
@@ -93,6 +100,8 @@ pub struct MotionEnergy<T = f64> {
 
 /// The rest of a vehicle, and its motion to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound = "T: Real + serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct Rest<T = f64> {
     /// (m) position of the CG in the scene.
     pub position: Vector2<T>,

@@ -1,8 +1,10 @@
 //! The integration: its order, its balances, its mirrors.
 
-use trajectory::{Chassis, Control, GRAVITY, Ground, Motion, Rest, Sample, State, Steer, Vector2, to_rest};
+use trajectory::{
+    Chassis, Control, GRAVITY, Ground, Motion, NoRest, Rest, Sample, State, Steer, Vector2, to_rest,
+};
 
-use crate::scenes::{random, turned_car};
+use crate::scenes::{car, random, start, turned_car};
 
 fn control(tolerance: f64) -> Control {
     Control { tolerance, most_steps: 1_000_000, ..Control::default() }
@@ -154,7 +156,7 @@ fn turned_and_mirrored_scenes_agree() {
         assert!((other.heading - by - rest.heading).abs() < 1e-2, "{n}");
 
         let [front_left, front_right, rear_left, rear_right] = chassis.wheels().map(|wheel| wheel.drag);
-        let flipped = crate::scenes::car([front_right, front_left, rear_right, rear_left]);
+        let flipped = car([front_right, front_left, rear_right, rear_left]);
         let flip = |v: Vector2<f64>| Vector2::new(v.x, -v.y);
         let mirrored = State {
             position: flip(start.position),
@@ -171,13 +173,13 @@ fn turned_and_mirrored_scenes_agree() {
 /// guarantee of the crate: the rest position is accurate to a thousandth of the path.
 #[test]
 fn long_roll_outs_are_exact_to_a_thousandth_of_the_path() {
-    let light = crate::scenes::car([0.02, 0.01, 0.01, 0.01]);
-    let free = crate::scenes::car([0.01, 0.02, 0.01, 0.02]);
-    let dragging = crate::scenes::car([0.04, 0.006, 0.01, 0.05]);
+    let light = car([0.02, 0.01, 0.01, 0.01]);
+    let free = car([0.01, 0.02, 0.01, 0.02]);
+    let dragging = car([0.04, 0.006, 0.01, 0.05]);
     for (chassis, steer, start, longer_than) in [
-        (free, 0.0, crate::scenes::start(0.3, [12.4, 15.7], 1.5), 60.0),
-        (light, 0.03, crate::scenes::start(0.0, [11.8, 2.4], 1.0), 300.0),
-        (dragging, -0.09, crate::scenes::start(0.96, [-1.4, 17.3], -1.47), 100.0),
+        (free, 0.0, start(0.3, [12.4, 15.7], 1.5), 60.0),
+        (light, 0.03, start(0.0, [11.8, 2.4], 1.0), 300.0),
+        (dragging, -0.09, start(0.96, [-1.4, 17.3], -1.47), 100.0),
     ] {
         let rest = |control: &Control| {
             let ground = Ground::level(0.65);
@@ -194,5 +196,19 @@ fn long_roll_outs_are_exact_to_a_thousandth_of_the_path() {
             "{}",
             ours.heading - exact.heading
         );
+    }
+}
+
+/// 1000 m/s and 1000 rad/s are the limits.
+#[test]
+fn starts_that_no_vehicle_has_are_refused() {
+    let refused = |velocity: [f64; 2], yaw_rate: f64| {
+        let (chassis, ground, start) = (car([0.3; 4]), Ground::level(0.7), start(0.0, velocity, yaw_rate));
+        to_rest(&chassis, Steer::straight(), &ground, &start, &Control::default(), |_| {}).unwrap_err()
+    };
+    for bad in [1000.1, -1e20, 1e300, f64::NAN, f64::INFINITY] {
+        for refusal in [refused([bad, 0.0], 0.0), refused([0.0, bad], 0.0), refused([0.0; 2], bad)] {
+            assert!(matches!(refusal, NoRest::Invalid(_)), "{refusal}");
+        }
     }
 }

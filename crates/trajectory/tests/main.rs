@@ -17,3 +17,5 @@ mod ricsac;
 mod scenes;
 #[cfg(test)]
 mod steering;
+#[cfg(test)]
+mod written;
