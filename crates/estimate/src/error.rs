@@ -4,7 +4,7 @@ use std::fmt;
 
 use uncertainty::Failures;
 
-use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
+use crate::limits::{LEAST_ISLANDS, MOST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 
 /// The reason why there are no draws.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -22,8 +22,8 @@ pub enum NoDraws {
         /// Number of particles.
         particles: usize,
     },
-    /// Too few islands for their differences to be meaningful.
-    #[error("there must be at least {LEAST_ISLANDS} islands, but there are {islands}")]
+    /// Too few islands for their differences to be meaningful, or more than a computer holds.
+    #[error("there must be from {LEAST_ISLANDS} to {MOST_ISLANDS} islands, but there are {islands}")]
     Islands {
         /// Number of islands.
         islands: usize,

@@ -89,7 +89,7 @@ pub use diagnosis::{
     POSSIBLE_LIMIT, R_HAT_LIMIT, SamplerDoubt, UNMOVED_LIMIT, Verdict,
 };
 pub use error::{CannotReweight, Culprit, Exclusion, NoDraws};
-pub use limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
+pub use limits::{LEAST_ISLANDS, MOST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 pub use model::{Evidence, Hurdle, Independent, LikelihoodFunction, Part, Prior, Selection};
 pub use posterior::{PieceCheck, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};

@@ -9,3 +9,6 @@ pub const MOST_PARTICLES: usize = 1 << 14;
 
 /// Minimum number of islands: the spread between fewer is almost meaningless.
 pub const LEAST_ISLANDS: usize = 4;
+
+/// Maximum number of islands.
+pub const MOST_ISLANDS: usize = 1 << 10;

@@ -138,7 +138,7 @@ pub struct LikelihoodFunction<F>(Function<F>);
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> LikelihoodFunction<F> {
     /// Evidence from a function that reads the values of a particle and writes its terms, or fails with a
-    /// reason from 1 to 254.
+    /// reason from 1 to 254; another counts as [`uncertainty::NOT_FINITE`].
     pub fn new(terms: usize, function: F) -> Self {
         Self(Function::new(terms, function))
     }

@@ -375,10 +375,11 @@ impl Columns {
     }
 
     fn column(&self, quantity: DrawnQuantity) -> &[f64] {
-        match quantity {
-            DrawnQuantity::Value(place) => &self.values[place],
-            DrawnQuantity::Output(place) => &self.outputs[place],
-        }
+        let (columns, place) = match quantity {
+            DrawnQuantity::Value(place) => (&self.values, place),
+            DrawnQuantity::Output(place) => (&self.outputs, place),
+        };
+        columns.get(place).map_or(&[], Vec::as_slice)
     }
 }
 
@@ -443,13 +444,14 @@ impl Posterior {
         Draws::new(&self.islands, None)
     }
 
-    /// The draws with other weights, for statistics of any column.
+    /// The draws with other weights, one for each, for statistics of any column: all NaN with another number
+    /// of weights.
     #[must_use]
     pub fn weighted<'a>(&'a self, weights: &'a Weights) -> Draws<'a> {
         Draws::new(&self.islands, Some(&weights.weights))
     }
 
-    /// Statistics of a value or an output.
+    /// Statistics of a value or an output: all NaN if there is none of this number.
     #[must_use]
     pub fn summary(&self, quantity: DrawnQuantity) -> DrawsSummary {
         self.draws().summary(self.columns.column(quantity))

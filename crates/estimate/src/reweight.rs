@@ -24,7 +24,7 @@ pub struct Weights {
     /// The weight of each draw; their mean is 1.
     pub weights: Vec<f64>,
     /// (–) k̂, the shape of the generalised Pareto distribution of the greatest weights: from 0.5 on their
-    /// variance is infinite. −∞ if all weights are equal.
+    /// variance is infinite. −∞ if all weights are equal, ∞ if there are few, or one is NaN.
     pub pareto: f64,
 }
 
@@ -36,7 +36,8 @@ impl Weights {
     }
 
     /// Weights from their logarithms, one for each draw, with the greatest smoothed: the logarithms of the
-    /// likelihood of another piece of evidence turn the draws into those of the posterior with it.
+    /// likelihood of another piece of evidence turn the draws into those of the posterior with it. If one is
+    /// NaN or ∞, or all are −∞, the weights are NaN and not reliable.
     #[must_use]
     pub fn smoothed(logarithms: &[f64]) -> Self {
         let greatest = logarithms.iter().fold(f64::NEG_INFINITY, |greatest, l| greatest.max(*l));
@@ -46,7 +47,7 @@ impl Weights {
         for weight in &mut weights {
             *weight /= mean;
         }
-        Self { weights, pareto }
+        Self { weights, pareto: if mean.is_nan() { f64::INFINITY } else { pareto } }
     }
 }
 
@@ -159,6 +160,16 @@ mod tests {
         let weights = Weights::smoothed(&[-3.0; 500]);
         assert!(weights.weights.iter().all(|w| *w == 1.0));
         assert!(weights.are_reliable());
+    }
+
+    #[test]
+    fn weights_that_are_no_numbers_are_not_reliable() {
+        for bad in [f64::NAN, -f64::NAN, f64::INFINITY] {
+            let mut logarithms = vec![0.0; 500];
+            logarithms[3] = bad;
+            assert!(!Weights::smoothed(&logarithms).are_reliable(), "{bad}");
+        }
+        assert!(!Weights::smoothed(&[f64::NEG_INFINITY; 500]).are_reliable());
     }
 
     /// Weights exp(z²/4) of normal z have infinite variance and k = ½; exp(0.45 z²) has k = 0.9.

@@ -3,7 +3,7 @@
 use uncertainty::Instructions;
 
 use crate::error::NoDraws;
-use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
+use crate::limits::{LEAST_ISLANDS, MOST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 use crate::model::Selection;
 
 /// Number of islands of [`ParticleSettings::new`], equal to the number of replicates in `uncertainty`.
@@ -14,8 +14,8 @@ pub const ISLANDS: usize = 16;
 pub struct ParticleSettings {
     /// Number of particles of each island, a multiple of [`PARTICLES_STEP`].
     pub particles: usize,
-    /// Number of islands, which are independent populations. Together they give `islands` × `particles`
-    /// draws.
+    /// Number of islands, from [`LEAST_ISLANDS`] to [`MOST_ISLANDS`], which are independent populations.
+    /// Together they give `islands` × `particles` draws.
     pub islands: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
@@ -45,7 +45,7 @@ impl ParticleSettings {
         if !Self::can_have(particles) {
             return Err(NoDraws::Particles { particles });
         }
-        if self.islands < LEAST_ISLANDS {
+        if !(LEAST_ISLANDS..=MOST_ISLANDS).contains(&self.islands) {
             return Err(NoDraws::Islands { islands: self.islands });
         }
         match self.terms.named().iter().find(|&&term| term >= terms) {

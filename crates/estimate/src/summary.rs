@@ -30,19 +30,19 @@ pub struct Draws<'a> {
 }
 
 impl<'a> Draws<'a> {
+    /// Without weights that are as many as the draws, all statistics are NaN.
     pub(crate) fn new(islands: &'a [Range<usize>], weights: Option<&'a [f64]>) -> Self {
-        Self { islands, weights }
+        let draws = islands.last().map_or(0, |island| island.end);
+        Self { islands, weights: weights.map(|weights| if weights.len() == draws { weights } else { &[] }) }
     }
 
-    /// Statistics of a quantity; `column` has its value for each draw.
-    ///
-    /// # Panics
-    /// If the column is shorter than the number of draws.
+    /// Statistics of a quantity; `column` has its value for each draw. All are NaN if it is shorter.
     #[must_use]
     pub fn summary(&self, column: &[f64]) -> DrawsSummary {
+        let column = self.covered(column);
         let ordered = Ordered::of(column, |draw| self.weight(draw));
-        let mean = self.mean(|draw| column[draw]);
-        let square = |draw: usize| (column[draw] - mean.value) * (column[draw] - mean.value);
+        let mean = self.mean(|draw| at(column, draw));
+        let square = |draw: usize| (at(column, draw) - mean.value) * (at(column, draw) - mean.value);
         let variance = self.mean(square);
         let sd = variance.value.sqrt();
         // δσ = δσ²/2σ
@@ -65,11 +65,14 @@ impl<'a> Draws<'a> {
     /// Its standard error is at least that of the same effective number of independent draws with one more on
     /// either side: unanimous draws do not make anything certain.
     ///
-    /// # Panics
-    /// If the column is shorter than the number of draws.
+    /// It is NaN if the column is shorter than the number of draws.
     #[must_use]
     pub fn probability_above(&self, column: &[f64], limit: f64) -> Estimate {
-        let share = self.mean(|draw| if column[draw] > limit { 1.0 } else { 0.0 });
+        let share = self.mean(|draw| match column.get(draw) {
+            Some(value) if *value > limit => 1.0,
+            Some(_) => 0.0,
+            None => f64::NAN,
+        });
         let count = self.effective();
         let cautious = (share.value * count + 1.0) / (count + 2.0);
         let least = (cautious * (1.0 - cautious) / (count + 2.0)).sqrt();
@@ -89,7 +92,12 @@ impl<'a> Draws<'a> {
     }
 
     fn weight(&self, draw: usize) -> f64 {
-        self.weights.map_or(1.0, |weights| weights[draw])
+        self.weights.map_or(1.0, |weights| at(weights, draw))
+    }
+
+    /// A column with a value for each draw; an empty one in place of a shorter one.
+    fn covered<'c>(&self, column: &'c [f64]) -> &'c [f64] {
+        if self.islands.iter().all(|island| island.end <= column.len()) { column } else { &[] }
     }
 
     /// The mean of a function of the draw.
@@ -120,7 +128,7 @@ impl<'a> Draws<'a> {
     fn quantile(&self, ordered: &Ordered, column: &[f64], share: f64) -> Estimate {
         let value = ordered.quantile(share);
         // Half of the distance between the quantiles at one standard error of the probability on either side.
-        let below = self.mean(|draw| if column[draw] <= value { 1.0 } else { 0.0 });
+        let below = self.mean(|draw| if at(column, draw) <= value { 1.0 } else { 0.0 });
         let error = below.standard_error.map(|error| {
             let least = (share * (1.0 - share) / self.effective()).sqrt();
             let error = error.max(least);
@@ -128,6 +136,11 @@ impl<'a> Draws<'a> {
         });
         Estimate { value, standard_error: error }
     }
+}
+
+/// The number of a draw, NaN if it has none.
+fn at(column: &[f64], draw: usize) -> f64 {
+    column.get(draw).copied().unwrap_or(f64::NAN)
 }
 
 /// A sorted column.

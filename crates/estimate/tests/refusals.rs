@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use estimate::{
-    CannotReweight, Culprit, Exclusion, Independent, NoDraws, PARTICLES_STEP, ParticleSettings, Selection,
-    sample, sample_quietly,
+    CannotReweight, Culprit, DrawnQuantity, Exclusion, Independent, NoDraws, PARTICLES_STEP,
+    ParticleSettings, Selection, Weights, sample, sample_quietly,
 };
 
 use super::{by_function, ln_normal, posterior, standard};
@@ -72,6 +72,40 @@ fn values_of_which_the_model_makes_nothing_are_impossible() {
     assert!(found.values()[1].iter().all(|value| *value >= 0.0));
     let [drawn, possible] = found.diagnosis().prior_draws;
     assert!((possible as f64 / drawn as f64 - 0.5).abs() < 0.03);
+    // Whatever the reason.
+    for reason in [0, 255] {
+        let evidence = by_function(1, |x: &[f64], terms: &mut [f64]| {
+            terms[0] = ln_normal(x[0], 0.5, 0.5);
+            if x[1] < 0.0 { Err(reason) } else { Ok(()) }
+        });
+        let found = sample_quietly(&standard(2), &evidence, &ParticleSettings::new(256, 1)).unwrap();
+        assert!(found.values()[1].iter().all(|value| *value >= 0.0), "{reason}");
+    }
+}
+
+/// What was not drawn has no statistics.
+#[test]
+fn statistics_of_nothing_are_nan() {
+    let evidence = by_function(1, |x: &[f64], terms: &mut [f64]| {
+        terms[0] = ln_normal(x[0], 0.5, 0.5);
+        Ok(())
+    });
+    let found = sample_quietly(&standard(1), &evidence, &ParticleSettings::new(256, 1)).unwrap();
+    let column = &found.values()[0];
+    let few = Weights::smoothed(&[0.0; 10]);
+    assert!(found.weighted(&few).effective().is_nan() && found.worth(&few).is_nan());
+    assert!(found.weighted(&few).probability_above(column, 0.0).value.is_nan());
+    assert!(found.draws().probability_above(&column[1..], 0.0).value.is_nan());
+    for nothing in [
+        found.summary(DrawnQuantity::Value(9)),
+        found.summary(DrawnQuantity::Output(0)),
+        found.weighted(&few).summary(column),
+        found.draws().summary(&column[1..]),
+    ] {
+        let ends = nothing.intervals.iter().flat_map(|interval| [interval.low, interval.high]);
+        let all = [nothing.mean, nothing.sd, nothing.median].into_iter().chain(ends);
+        assert!(all.into_iter().all(|estimate| estimate.value.is_nan()), "{nothing:?}");
+    }
 }
 
 #[test]
@@ -102,10 +136,10 @@ fn settings_that_cannot_be_used_are_refused() {
     for particles in [0, 100, PARTICLES_STEP + 64] {
         assert_eq!(with(&ParticleSettings::new(particles, 1)), NoDraws::Particles { particles });
     }
-    assert_eq!(
-        with(&ParticleSettings { islands: 3, ..ParticleSettings::new(128, 1) }),
-        NoDraws::Islands { islands: 3 }
-    );
+    for islands in [0, 3, 1025, usize::MAX] {
+        let refused = with(&ParticleSettings { islands, ..ParticleSettings::new(128, 1) });
+        assert_eq!(refused, NoDraws::Islands { islands });
+    }
     let terms = Selection::Only(vec![0, 1]);
     assert_eq!(
         with(&ParticleSettings { terms, ..ParticleSettings::new(128, 1) }),

@@ -15,6 +15,11 @@ use crate::number::Number;
 ///
 /// Headings, velocities and the crush plane are those of a scene with y to the left of x, counter-clockwise
 /// positive.
+///
+/// No number is checked. All but those of [`Limits`] have to be finite. Masses, radii of gyration, factors,
+/// ratios, scales, standard deviations and measured sizes have to be positive, but one of the two parts of the
+/// error of a speed or ΔV may be 0. e and λ have to lie between 0 and 1, and μ_max must not be negative. The
+/// likelihood of other numbers may be finite, and means nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision<N = Number> {
     /// The vehicles.

@@ -8,6 +8,9 @@ use real::elementary::{atan2, ln};
 /// ln √(2π).
 pub(crate) const LN_ROOT_TAU: f64 = 0.918_938_533_204_672_8;
 
+/// (–) farther from zero no probability changes, and the square is finite.
+const FARTHEST: f64 = 1e150;
+
 /// Log density of an error `x` with a normal distribution about zero.
 #[inline(always)]
 pub(crate) fn normal(x: f64, sd: f64) -> f64 {
@@ -79,6 +82,7 @@ impl Freedom {
     /// (–) cumulative probability at `z` (–), for scale 1 about zero.
     #[must_use]
     pub fn share_below(self, z: f64) -> f64 {
+        let z = z.clamp(-FARTHEST, FARTHEST);
         match self {
             // F(z) = 1/2 + z/(2√(2 + z²))
             Self::Two => 0.5 + 0.5 * z / Real::sqrt(2.0 + z * z),

@@ -601,3 +601,13 @@ fn a_longitudinal_part_has_its_sign() {
     }
     assert!(term(-6.6) > term(6.6) + 8.0);
 }
+
+#[test]
+fn shares_far_out_are_none_and_all() {
+    for freedom in [Freedom::Two, Freedom::Three] {
+        for far in [1e100, 1e160, f64::INFINITY] {
+            assert_eq!([-far, far].map(|z| freedom.share_below(z)), [0.0, 1.0], "{far}");
+        }
+        assert!((freedom.share_below(0.0) - 0.5).abs() < 1e-15 && freedom.share_below(f64::NAN).is_nan());
+    }
+}

@@ -151,7 +151,7 @@ impl Distribution {
     /// deviation `ln_sd`. All values are greater than zero.
     ///
     /// # Errors
-    /// If a number is not finite, or not greater than zero.
+    /// If a number is not finite, or not greater than zero, or the variance is not finite.
     pub fn log_normal(median: f64, ln_sd: f64) -> Result<Self, InvalidDistribution> {
         finite("median", median)?;
         finite("standard deviation", ln_sd)?;
@@ -165,7 +165,9 @@ impl Distribution {
         let end = median * exp(10.0 * ln_sd);
         finite("square of the end of the range", end * end)?;
         let transform = Transform::LogNormal { median, scale: ln_sd };
-        Ok(Self { shape: Shape::LogNormal { median, ln_sd }, truncation: None, transform })
+        let distribution = Self { shape: Shape::LogNormal { median, ln_sd }, truncation: None, transform };
+        finite("standard deviation of the values", distribution.sd())?;
+        Ok(distribution)
     }
 
     /// Uniform between two bounds.

@@ -13,9 +13,11 @@ pub const FIRST_ORDER_LIMIT: f64 = 0.1;
 /// Combined uncertainty of an output from its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FirstOrder {
-    /// (unit of the output) combined standard deviation.
+    /// (unit of the output) combined standard deviation: NaN or infinite if a number is, or if the squares
+    /// are.
     pub sd: f64,
-    /// Fraction of the variance due to each input. Their sum is 1, or 0 if nothing varies.
+    /// Fraction of the variance due to each input. Their sum is 1, or 0 if nothing varies, if the variance is
+    /// finite.
     pub shares: Vec<f64>,
 }
 

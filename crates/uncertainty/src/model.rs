@@ -131,7 +131,7 @@ pub struct Function<F> {
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
     /// A model from a function that reads the inputs of a sample and writes its outputs, or fails with a
-    /// reason from 1 to 254.
+    /// reason from 1 to 254; another counts as [`NOT_FINITE`].
     pub fn new(outputs: usize, function: F) -> Self {
         Self { outputs, function }
     }
@@ -175,6 +175,7 @@ pub fn evaluate_each(
                     column[lane] = *value;
                 }
             }
+            Err(SUCCEEDED) => *reason = NOT_FINITE,
             Err(code) => *reason = code,
         }
     }

@@ -4,6 +4,7 @@ use crate::dispatch;
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
+use crate::limits::MAX_SAMPLES;
 use crate::model::{LANES, Lanes, Model, evaluate};
 use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
@@ -51,6 +52,8 @@ impl<'a> Sampler<'a> {
     /// Inputs of the samples from `block`·[`crate::LANES`] on, a column for each input. Lanes beyond the last
     /// sample hold arbitrary values.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
+        // All blocks beyond the last sample are arbitrary.
+        let block = block.min(MAX_SAMPLES as u64);
         fill(self.instructions, &self.points, self.inputs, block, columns);
     }
 

@@ -149,6 +149,10 @@ fn what_makes_no_distribution_is_refused() {
         assert_eq!(refused, [true; 5], "{bad}");
     }
     assert!(Distribution::truncated_normal(0.0, 1.0, f64::NAN, 1.0).is_err());
+    // exp(s²) of the variance is 10⁶⁹⁵, although no sample is beyond 10⁷⁴.
+    assert!(
+        Distribution::log_normal(1e-100, 40.0).is_err() && Distribution::log_normal(1e-100, 10.0).is_ok()
+    );
     assert!(Distribution::truncated_normal(0.0, 1.0, 1.0, 1.0).is_err());
     // Φ(−5) = 2.9e-7 is below the minimum probability, Φ(−4.7) = 1.3e-6 above.
     let refused = Distribution::truncated_normal(0.0, 1.0, 5.0, f64::INFINITY).unwrap_err();

@@ -213,9 +213,29 @@ fn failures_are_counted_by_reason() {
         }
     }
 
+    // A failure without a reason is one, too: the output of the sample before is not its own.
+    let untold = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = x[0];
+        if x[0] < 0.0 { Err(SUCCEEDED) } else { Ok(()) }
+    });
+    let result = run(&untold, &inputs, &settings);
+    assert_eq!(result.failures().iter().collect::<Vec<_>>(), [(&NOT_FINITE, &512)]);
+    assert!(result.columns()[0].iter().all(|y| y.is_nan() || *y >= 0.0));
+
     let never = Function::new(1, |_: &[f64], _: &mut [f64]| Err(1));
     let result = run(&never, &inputs, &settings);
     assert_eq!((result.succeeded(), result.summaries()[0]), (0, None));
+}
+
+#[test]
+fn a_block_beyond_the_last_is_filled_with_something() {
+    for method in METHODS {
+        let inputs = [normal(1.0, 1.0)];
+        let sampler = Sampler::new(&inputs, &Settings::new(method, 256, 1)).unwrap();
+        let mut columns = [Lanes::splat(f64::NAN)];
+        sampler.fill(u64::MAX, &mut columns);
+        assert!(columns[0].iter().all(|x| x.is_finite()), "{method:?}");
+    }
 }
 
 #[test]

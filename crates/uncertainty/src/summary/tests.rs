@@ -192,5 +192,5 @@ fn an_order_statistic_is_linear_between_two_values() {
         assert_eq!(order_statistic(&values, position), expected, "{position}");
     }
     assert_eq!(order_statistic(&[1.0, f64::INFINITY], 0.0), 1.0);
-    assert!(order_statistic(&[], 0.0).is_nan());
+    assert!(order_statistic(&[], 0.0).is_nan() && order_statistic(&[1.0, 2.0], f64::NAN).is_nan());
 }
