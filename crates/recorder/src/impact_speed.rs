@@ -158,9 +158,9 @@ pub struct ImpactSpeed {
     draws: Draws,
 }
 
-/// Why the errors give no distribution.
+/// An assumption about a recorder that is not in its range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{name} of the recorder's speed is {value}: write a number from {least} to {greatest}")]
+#[error("{name} of the recorder is {value}: write a number from {least} to {greatest}")]
 pub struct SpeedErrorOutOfRange {
     /// The name of the field.
     pub name: &'static str,
@@ -203,12 +203,16 @@ impl ImpactSpeedErrors {
             ("latency", self.latency, 2.0),
             ("last_is_of_impact", self.last_is_of_impact, 1.0),
         ];
-        for (name, value, greatest) in fields {
-            if !(0.0..=greatest).contains(&value) {
-                return Err(SpeedErrorOutOfRange { name, value, least: 0.0, greatest });
-            }
-        }
-        Ok(())
+        in_ranges(&fields.map(|(name, value, greatest)| (name, value, [0.0, greatest])))
+    }
+}
+
+/// Whether each value lies in its range; otherwise the first that does not, by the name of its field.
+pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), SpeedErrorOutOfRange> {
+    let is_out = |(_, value, [least, greatest]): &&(_, f64, [f64; 2])| !(*least..=*greatest).contains(value);
+    match fields.iter().find(is_out) {
+        Some(&(name, value, [least, greatest])) => Err(SpeedErrorOutOfRange { name, value, least, greatest }),
+        None => Ok(()),
     }
 }
 
@@ -585,11 +589,11 @@ impl ImpactSpeed {
         self.draws.quantile(probability)
     }
 
-    /// (m/s) the interval that contains the speed with this probability, with half of the rest on either
-    /// side.
+    /// (m/s) the interval that contains the speed with this probability (from 0 to 1), with half of the rest
+    /// on either side.
     #[must_use]
     pub fn interval(&self, probability: f64) -> [f64; 2] {
-        let tail = 0.5 * (1.0 - probability);
+        let tail = 0.5 * (1.0 - probability.clamp(0.0, 1.0));
         [self.quantile(tail), self.quantile(1.0 - tail)]
     }
 }

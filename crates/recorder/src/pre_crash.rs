@@ -1,6 +1,7 @@
 //! The data that a recorder stored before the impact, and the distance travelled between its samples.
 
 use crate::channel::{Channel, GRAVITY, MPH};
+use crate::impact_speed::{SpeedErrorOutOfRange, in_ranges};
 use crate::table::{RecorderTable, TableColumn};
 
 /// The data that a recorder stored for one time.
@@ -81,6 +82,16 @@ pub enum PreCrashFault {
         /// (m/s) the speed.
         speed: f64,
     },
+    /// A number that no recorder stores, and no table is read with.
+    #[error("sample {sample}: the {} {value} (SI) is beyond what a recorder stores", .channel.name())]
+    OutOfRange {
+        /// From 1.
+        sample: usize,
+        /// Which number.
+        channel: Channel,
+        /// (SI) its value.
+        value: f64,
+    },
     /// Times that do not rise.
     #[error("sample {sample}: its time {time} s is not later than {before} s of the one before it")]
     TimesTurn {
@@ -112,6 +123,7 @@ impl PreCrashFault {
             Self::NoSample => None,
             Self::NotFinite { sample }
             | Self::NegativeSpeed { sample, .. }
+            | Self::OutOfRange { sample, .. }
             | Self::TimesTurn { sample, .. }
             | Self::AfterImpact { sample, .. } => Some(*sample),
         }
@@ -162,6 +174,19 @@ impl SpeedLimits {
     #[must_use]
     pub fn stored_in(step: f64) -> Self {
         Self { rounding: 0.5 * step, ..Self::default() }
+    }
+
+    /// Checks every field. The bounds of other limits mean nothing.
+    ///
+    /// # Errors
+    ///
+    /// The first that is not in its range.
+    pub fn check(&self) -> Result<(), SpeedErrorOutOfRange> {
+        in_ranges(&[
+            ("rounding", self.rounding, [0.0, 10.0]),
+            ("deceleration", self.deceleration, [0.0, 100.0]),
+            ("acceleration", self.acceleration, [0.0, 100.0]),
+        ])
     }
 
     /// (m/s²) the mean acceleration of a change of the speed (m/s) in `step` (s) that is beyond the limits,
@@ -252,9 +277,17 @@ impl PreCrash {
         let mut before = f64::NEG_INFINITY;
         for (k, one) in samples.iter().enumerate() {
             let sample = k + 1;
-            let numbers =
-                [one.speed, one.accelerator, one.throttle, one.engine_speed, one.steering, one.yaw_rate];
-            if !one.time.is_finite() || numbers.iter().flatten().any(|value| !value.is_finite()) {
+            let numbers = [
+                (Channel::Time, Some(one.time)),
+                (Channel::Speed, one.speed),
+                (Channel::Accelerator, one.accelerator),
+                (Channel::Throttle, one.throttle),
+                (Channel::EngineSpeed, one.engine_speed),
+                (Channel::Steering, one.steering),
+                (Channel::YawRate, one.yaw_rate),
+            ];
+            let mut numbers = numbers.into_iter().filter_map(|(channel, value)| Some((channel, value?)));
+            if numbers.clone().any(|(_, value)| !value.is_finite()) {
                 return Err(PreCrashFault::NotFinite { sample });
             }
             if let Some(speed) = one.speed.filter(|speed| *speed < 0.0) {
@@ -265,6 +298,13 @@ impl PreCrash {
             }
             if one.time > 0.0 {
                 return Err(PreCrashFault::AfterImpact { sample, time: one.time });
+            }
+            let is_out = |(channel, value): &(Channel, f64)| {
+                let [least, greatest] = channel.range();
+                !(least..=greatest).contains(value)
+            };
+            if let Some((channel, value)) = numbers.find(is_out) {
+                return Err(PreCrashFault::OutOfRange { sample, channel, value });
             }
             before = one.time;
         }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use real::elementary::{exp, ln, sin_cos};
 use real::principal_angle;
 
+use crate::impact_speed::{SpeedErrorOutOfRange, in_ranges};
 use crate::pulse::force_direction;
 
 /// The known data of an impact without the recorder.
@@ -82,6 +83,21 @@ pub struct MatchErrors {
 impl Default for MatchErrors {
     fn default() -> Self {
         Self { direction: 20_f64.to_radians(), size: 0.45, of_none: 0.1 }
+    }
+}
+
+impl MatchErrors {
+    /// Checks every field.
+    ///
+    /// # Errors
+    ///
+    /// The first that is not in its range.
+    pub fn check(&self) -> Result<(), SpeedErrorOutOfRange> {
+        in_ranges(&[
+            ("direction", self.direction, [1e-3, PI]),
+            ("size", self.size, [1e-3, 10.0]),
+            ("of_none", self.of_none, [1e-6, 1.0]),
+        ])
     }
 }
 
@@ -189,6 +205,7 @@ fn likelihood(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) 
 ///
 /// Impacts and records are in the order of time. No two records belong to one impact, the later of two
 /// records belongs to the later impact, and a record may belong to none. Every such assignment is weighed.
+/// With errors that do not pass their [`check`](MatchErrors::check), the probabilities may be NaN.
 #[must_use]
 pub fn match_records(
     records: &[EventRecord],

@@ -4,7 +4,7 @@
 
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use proptest::test_runner::Config;
-use recorder::{PreCrash, PreCrashSample, SpeedLimits, SteepChange, read_tables};
+use recorder::{Channel, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, read_tables};
 
 /// (s) within this step the acceleration of a trace is constant.
 const FINE: f64 = 0.05;
@@ -165,4 +165,41 @@ fn speeds_in_whole_miles_are_rounded_to_a_mile() {
     // ±0.22352 m/s over 2 s, as the turns stay where they are.
     assert!((bounds.at_most - exact.at_most - 0.44704).abs() < 1e-9, "{exact:?}");
     assert!((exact.at_least - bounds.at_least - 0.44704).abs() < 1e-9, "{exact:?}");
+}
+
+#[test]
+fn limits_have_their_ranges() {
+    let usual = SpeedLimits::default();
+    assert_eq!(usual.check(), Ok(()));
+    for (bad, name) in [
+        (SpeedLimits { rounding: f64::NAN, ..usual }, "rounding"),
+        (SpeedLimits { rounding: -1.0, ..usual }, "rounding"),
+        (SpeedLimits { deceleration: -5.0, ..usual }, "deceleration"),
+        (SpeedLimits { acceleration: f64::INFINITY, ..usual }, "acceleration"),
+    ] {
+        assert_eq!(bad.check().unwrap_err().name, name);
+    }
+}
+
+/// A table with these numbers would leave them out.
+#[test]
+fn what_no_recorder_stores_is_refused() {
+    let last = PreCrashSample { speed: Some(10.0), ..PreCrashSample::default() };
+    assert!(PreCrash::new(vec![last]).is_ok());
+    for (bad, channel) in [
+        (PreCrashSample { time: -1e300, ..last }, Channel::Time),
+        (PreCrashSample { speed: Some(1e308), ..last }, Channel::Speed),
+        (PreCrashSample { accelerator: Some(101.0), ..last }, Channel::Accelerator),
+        (PreCrashSample { throttle: Some(-1.0), ..last }, Channel::Throttle),
+        (PreCrashSample { engine_speed: Some(1e6), ..last }, Channel::EngineSpeed),
+        (PreCrashSample { steering: Some(30.0), ..last }, Channel::Steering),
+        (PreCrashSample { yaw_rate: Some(-10.0), ..last }, Channel::YawRate),
+    ] {
+        let refusal = PreCrash::new(vec![bad]).unwrap_err();
+        let PreCrashFault::OutOfRange { sample: 1, channel: found, .. } = refusal else {
+            panic!("{refusal}")
+        };
+        assert_eq!(found, channel);
+        assert!(refusal.to_string().contains(channel.name()), "{refusal}");
+    }
 }

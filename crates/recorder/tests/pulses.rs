@@ -233,6 +233,22 @@ fn what_is_no_pulse_is_refused() {
     );
 }
 
+#[test]
+fn errors_of_a_match_have_their_ranges() {
+    let usual = MatchErrors::default();
+    assert_eq!(usual.check(), Ok(()));
+    for (bad, name) in [
+        (MatchErrors { direction: 0.0, ..usual }, "direction"),
+        (MatchErrors { direction: -0.3, ..usual }, "direction"),
+        (MatchErrors { size: 0.0, ..usual }, "size"),
+        (MatchErrors { of_none: 0.0, ..usual }, "of_none"),
+        (MatchErrors { of_none: 2.0, ..usual }, "of_none"),
+        (MatchErrors { of_none: f64::NAN, ..usual }, "of_none"),
+    ] {
+        assert_eq!(bad.check().unwrap_err().name, name);
+    }
+}
+
 /// Crash 29357: a record of 9 km/h, where a common velocity would need 71.
 #[test]
 fn a_record_of_another_impact_is_none_of_this() {

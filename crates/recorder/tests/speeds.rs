@@ -204,6 +204,8 @@ fn locked_wheels_are_no_stop() {
 fn a_vehicle_that_stands_stands() {
     let standing = [(-1.0, 0.0, Some(true)), (-0.5, 0.0, Some(true)), (0.0, 0.0, Some(true))];
     let found = ImpactSpeed::of(&record(&standing), &ImpactSpeedErrors::default()).unwrap();
+    assert_eq!(found.interval(2.0), [found.quantile(0.0), found.quantile(1.0)]);
+    assert_eq!(found.interval(-1.0), [found.quantile(0.5); 2]);
     assert!(found.quantile(0.975) < 1.0 * KMH && found.quantile(0.0) >= 0.0, "{:?}", found.interval(0.95));
     let errors = ImpactSpeedErrors { friction: f64::NAN, ..ImpactSpeedErrors::default() };
     let error = ImpactSpeed::of(&record(&standing), &errors).unwrap_err();
