@@ -3,10 +3,11 @@
 use pim_core::{Motion, Vector2};
 use real::Real;
 
-/// (m/s) greatest speed along either axis at a start: no vehicle is faster.
-pub const GREATEST_SPEED: f64 = 1000.0;
+/// (m/s) greatest speed along either axis at a start: faster than light. Draws before all evidence may be far
+/// faster than a vehicle.
+pub const GREATEST_SPEED: f64 = 1e9;
 /// (rad/s) greatest yaw rate at a start, to either side.
-pub const GREATEST_YAW_RATE: f64 = 1000.0;
+pub const GREATEST_YAW_RATE: f64 = 1e9;
 
 /// Position and motion of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
