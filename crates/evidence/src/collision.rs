@@ -17,9 +17,9 @@ use crate::number::Number;
 /// positive.
 ///
 /// No number is checked. All but those of [`Limits`] have to be finite. Masses, radii of gyration, factors,
-/// ratios, scales, standard deviations and measured sizes have to be positive, but one of the two parts of the
-/// error of a speed or ΔV may be 0. e and λ have to lie between 0 and 1, and μ_max must not be negative. The
-/// likelihood of other numbers may be finite, and means nothing.
+/// ratios, scales, standard deviations and measured sizes have to be positive, but one of the two parts of
+/// the error of a speed or ΔV may be 0. e and λ have to lie between 0 and 1, and μ_max must not be negative.
+/// The likelihood of other numbers may be finite, and means nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision<N = Number> {
     /// The vehicles.

@@ -3,6 +3,7 @@
 use real::elementary::{exp, ln};
 use uncertainty::normal::quantiles;
 
+use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
 use crate::channel::GRAVITY;
 use crate::pre_crash::{PreCrash, PreCrashSample, REGULAR_STEP, SpeedLimits};
 use crate::spread::{DIMENSIONS, Draws, radical_point};
@@ -158,20 +159,6 @@ pub struct ImpactSpeed {
     draws: Draws,
 }
 
-/// An assumption about a recorder that is not in its range.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{name} of the recorder is {value}: write a number from {least} to {greatest}")]
-pub struct SpeedErrorOutOfRange {
-    /// The name of the field.
-    pub name: &'static str,
-    /// Its value.
-    pub value: f64,
-    /// The least.
-    pub least: f64,
-    /// The greatest.
-    pub greatest: f64,
-}
-
 /// Why a record gives no speed at impact.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ImpactSpeedFault {
@@ -204,15 +191,6 @@ impl ImpactSpeedErrors {
             ("last_is_of_impact", self.last_is_of_impact, 1.0),
         ];
         in_ranges(&fields.map(|(name, value, greatest)| (name, value, [0.0, greatest])))
-    }
-}
-
-/// Whether each value lies in its range; otherwise the first that does not, by the name of its field.
-pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), SpeedErrorOutOfRange> {
-    let is_out = |(_, value, [least, greatest]): &&(_, f64, [f64; 2])| !(*least..=*greatest).contains(value);
-    match fields.iter().find(is_out) {
-        Some(&(name, value, [least, greatest])) => Err(SpeedErrorOutOfRange { name, value, least, greatest }),
-        None => Ok(()),
     }
 }
 

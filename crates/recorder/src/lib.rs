@@ -50,6 +50,7 @@
 //! It reads no proprietary binary file, and knows no case: lateral values and yaw rates keep the sign
 //! convention of the recorder until the caller converts them.
 
+mod assumption;
 mod channel;
 mod impact_speed;
 mod pre_crash;
@@ -59,10 +60,11 @@ mod table;
 mod text;
 mod which;
 
+pub use assumption::SpeedErrorOutOfRange;
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
     BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,
-    SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource, SteepFall,
+    SpeedErrorPart, SpeedErrorSource, SteepFall,
 };
 pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange};
 pub use pulse::{

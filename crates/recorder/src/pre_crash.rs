@@ -1,7 +1,7 @@
 //! The data that a recorder stored before the impact, and the distance travelled between its samples.
 
+use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
 use crate::channel::{Channel, GRAVITY, MPH};
-use crate::impact_speed::{SpeedErrorOutOfRange, in_ranges};
 use crate::table::{RecorderTable, TableColumn};
 
 /// The data that a recorder stored for one time.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use real::elementary::{exp, ln, sin_cos};
 use real::principal_angle;
 
-use crate::impact_speed::{SpeedErrorOutOfRange, in_ranges};
+use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
 use crate::pulse::force_direction;
 
 /// The known data of an impact without the recorder.

@@ -195,8 +195,8 @@ impl Place {
 }
 
 /// The order statistic at a position among ascending values, counted from 0, linear between two of them; NaN
-/// if there are none, or the position is. For a probability p the convention of the caller gives the position:
-/// (n − 1)p is type 7 of Hyndman and Fan, np − ½ their type 5, and ⌊np⌋ a value that occurred.
+/// if there are none, or the position is. For a probability p the convention of the caller gives the
+/// position: (n − 1)p is type 7 of Hyndman and Fan, np − ½ their type 5, and ⌊np⌋ a value that occurred.
 #[must_use]
 pub fn order_statistic(ascending: &[f64], position: f64) -> f64 {
     let Some(last) = ascending.len().checked_sub(1).filter(|_| !position.is_nan()) else { return f64::NAN };

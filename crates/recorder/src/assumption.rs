@@ -1,0 +1,24 @@
+//! The ranges of what is assumed about a recorder.
+
+/// An assumption about a recorder that is not in its range.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{name} of the recorder is {value}: write a number from {least} to {greatest}")]
+pub struct SpeedErrorOutOfRange {
+    /// The name of the field.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The least.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+}
+
+/// Whether each value lies in its range; otherwise the first that does not, by the name of its field.
+pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), SpeedErrorOutOfRange> {
+    let is_out = |(_, value, [least, greatest]): &&(_, f64, [f64; 2])| !(*least..=*greatest).contains(value);
+    match fields.iter().find(is_out) {
+        Some(&(name, value, [least, greatest])) => Err(SpeedErrorOutOfRange { name, value, least, greatest }),
+        None => Ok(()),
+    }
+}
