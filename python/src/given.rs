@@ -348,7 +348,7 @@ impl PyCase {
     /// Parameters
     /// ----------
     /// exact : bool
-    ///     Whether to leave out the weighing: ``headline.by`` is then ``"exact"`` or ``"none"``.
+    ///     Whether to skip the weighing: ``headline.by`` is then ``"exact"`` or ``"none"``.
     /// threads : int, optional
     ///     By default one for each processor. The results do not depend on it, bit for bit.
     ///

@@ -53,6 +53,12 @@ pub struct Analysis<W = Warning> {
 }
 
 impl<W> Analysis<W> {
+    /// Whether it is a reconstruction: it found a speed, or both.
+    #[must_use]
+    pub fn is_reconstruction(&self) -> bool {
+        self.found.is_some() || self.both.is_some()
+    }
+
     /// Whether a vehicle can move and is not a fixed object.
     #[must_use]
     pub fn moves(&self, vehicle: VehicleId) -> bool {

@@ -65,7 +65,7 @@ pub fn beside(
         if is_followed { backward_samples(zones(case)) } else { report_samples(case.inputs().len()) };
     let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
     let uncertainty = uncertainty(case, &plan, progress)?;
-    let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
+    let is_differentiated = analysis.is_reconstruction() || is_motion;
     let sensitivity = is_differentiated.then(|| sensitivity(case, Sweep::default())).transpose()?;
     Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
 }

@@ -109,7 +109,7 @@ impl Analysis {
     /// weighed but contradicts nothing, and if no speed is unknown.
     #[must_use]
     pub fn why_not_exact(&self) -> Option<WhyNotExact> {
-        if self.found.is_none() && self.both.is_none() {
+        if !self.is_reconstruction() {
             return None;
         }
         let refuted = self.refuting();

@@ -132,7 +132,7 @@ pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Fail
         _ => solve::furthest(case)?,
     };
     let has_ways = nominal.travel.iter().any(Option::is_some);
-    let is_differentiated = nominal.found.is_some() || nominal.both.is_some() || has_ways;
+    let is_differentiated = nominal.is_reconstruction() || has_ways;
     let derivatives = if is_differentiated { derivatives(case, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
@@ -172,7 +172,7 @@ pub const LEAST_BY_DEGREE: f64 = 1.0;
 /// Warns of the angle without a range on which a speed that was found depends most, if one degree changes it
 /// considerably.
 pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning> {
-    if analysis.found.is_none() && analysis.both.is_none() {
+    if !analysis.is_reconstruction() {
         return None;
     }
     // Derivatives through a search back from rest take long, and the impact passes on only its directions.

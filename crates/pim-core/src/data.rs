@@ -4,7 +4,7 @@
 use alloc::vec::Vec;
 
 use nalgebra::Vector2;
-use real::Real;
+use real::{Real, read_as};
 use serde::de::Error as _;
 use serde::ser::SerializeStruct as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -30,18 +30,7 @@ macro_rules! written_as {
             }
         }
 
-        impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $type<T> {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                #[derive(Deserialize)]
-                #[serde(bound(deserialize = "T: Real + Deserialize<'de>"))]
-                struct $type<T> {
-                    $($field: $kind,)*
-                }
-                let $type { $($field),* } = $type::<T>::deserialize(deserializer)?;
-                let read = || -> Result<Self, InvalidInput> { $read };
-                read().map_err(D::Error::custom)
-            }
-        }
+        read_as!(InvalidInput; $type { $($field: $kind),* } => $read);
     };
 }
 

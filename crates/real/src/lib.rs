@@ -71,6 +71,8 @@ mod bundle;
 mod duals;
 pub mod elementary;
 mod operator;
+#[cfg(feature = "serde")]
+mod read_as;
 #[cfg(feature = "std")]
 mod traced;
 

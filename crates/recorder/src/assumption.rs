@@ -3,7 +3,7 @@
 /// An assumption about a recorder that is not in its range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{name} of the recorder is {value}: write a number from {least} to {greatest}")]
-pub struct SpeedErrorOutOfRange {
+pub struct AssumptionOutOfRange {
     /// The name of the field.
     pub name: &'static str,
     /// Its value.
@@ -15,10 +15,10 @@ pub struct SpeedErrorOutOfRange {
 }
 
 /// Whether each value lies in its range; otherwise the first that does not, by the name of its field.
-pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), SpeedErrorOutOfRange> {
+pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), AssumptionOutOfRange> {
     let is_out = |(_, value, [least, greatest]): &&(_, f64, [f64; 2])| !(*least..=*greatest).contains(value);
     match fields.iter().find(is_out) {
-        Some(&(name, value, [least, greatest])) => Err(SpeedErrorOutOfRange { name, value, least, greatest }),
+        Some(&(name, value, [least, greatest])) => Err(AssumptionOutOfRange { name, value, least, greatest }),
         None => Ok(()),
     }
 }

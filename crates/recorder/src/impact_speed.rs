@@ -3,7 +3,7 @@
 use real::elementary::{exp, ln};
 use uncertainty::normal::quantiles;
 
-use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
+use crate::assumption::{AssumptionOutOfRange, in_ranges};
 use crate::channel::GRAVITY;
 use crate::pre_crash::{PreCrash, PreCrashSample, REGULAR_STEP, SpeedLimits};
 use crate::spread::{DIMENSIONS, Draws, radical_point};
@@ -167,7 +167,7 @@ pub enum ImpactSpeedFault {
     NoSpeed,
     /// An error beyond its range.
     #[error(transparent)]
-    OutOfRange(#[from] SpeedErrorOutOfRange),
+    OutOfRange(#[from] AssumptionOutOfRange),
 }
 
 impl ImpactSpeedErrors {
@@ -176,7 +176,7 @@ impl ImpactSpeedErrors {
     /// # Errors
     ///
     /// The first that is not in its range.
-    pub fn check(&self) -> Result<(), SpeedErrorOutOfRange> {
+    pub fn check(&self) -> Result<(), AssumptionOutOfRange> {
         let fields = [
             ("step", self.step, 10.0),
             ("steady_low", self.steady_low, 0.2),

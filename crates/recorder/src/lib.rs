@@ -60,7 +60,7 @@ mod table;
 mod text;
 mod which;
 
-pub use assumption::SpeedErrorOutOfRange;
+pub use assumption::AssumptionOutOfRange;
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
     BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,

@@ -1,6 +1,6 @@
 //! The data that a recorder stored before the impact, and the distance travelled between its samples.
 
-use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
+use crate::assumption::{AssumptionOutOfRange, in_ranges};
 use crate::channel::{Channel, GRAVITY, MPH};
 use crate::table::{RecorderTable, TableColumn};
 
@@ -181,7 +181,7 @@ impl SpeedLimits {
     /// # Errors
     ///
     /// The first that is not in its range.
-    pub fn check(&self) -> Result<(), SpeedErrorOutOfRange> {
+    pub fn check(&self) -> Result<(), AssumptionOutOfRange> {
         in_ranges(&[
             ("rounding", self.rounding, [0.0, 10.0]),
             ("deceleration", self.deceleration, [0.0, 100.0]),

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use real::elementary::{exp, ln, sin_cos};
 use real::principal_angle;
 
-use crate::assumption::{SpeedErrorOutOfRange, in_ranges};
+use crate::assumption::{AssumptionOutOfRange, in_ranges};
 use crate::pulse::force_direction;
 
 /// The known data of an impact without the recorder.
@@ -92,7 +92,7 @@ impl MatchErrors {
     /// # Errors
     ///
     /// The first that is not in its range.
-    pub fn check(&self) -> Result<(), SpeedErrorOutOfRange> {
+    pub fn check(&self) -> Result<(), AssumptionOutOfRange> {
         in_ranges(&[
             ("direction", self.direction, [1e-3, PI]),
             ("size", self.size, [1e-3, 10.0]),

@@ -138,7 +138,7 @@ fn meant(name: &str) -> Option<String> {
     let fewest = of.iter().map(steps).min();
     of.retain(|key| Some(steps(key)) == fewest);
     let of = of.join(" or ");
-    (!of.is_empty()).then(|| format!("did you mean {of}? If it is no key, give it another name"))
+    (!of.is_empty()).then(|| format!("did you mean {of}? If the column is not meant as a key, rename it"))
 }
 
 /// Adds the keys in a table that end in this name. A name of one step has to have a unit that fits: a table
@@ -548,10 +548,11 @@ impl Kind {
             Cell::Flag(flag) => return Value::Flag(flag),
             Cell::Text(text) => text,
         };
-        // With the minus sign of typographers, too.
-        let number = || text.trim().replace('\u{2212}', "-").parse::<f64>().ok();
+        // With the minus sign of print (U+2212), too.
+        let read = |word: &str| word.replace('\u{2212}', "-").parse::<f64>().ok();
+        let number = || read(text.trim());
         let numbers = |of: &dyn Fn(f64) -> Value<'static>| {
-            let list = text.split_whitespace().map(|word| word.parse().ok().map(of));
+            let list = text.split_whitespace().map(|word| read(word).map(of));
             list.collect::<Option<Vec<Value<'static>>>>().map(Value::List)
         };
         let read = match self {

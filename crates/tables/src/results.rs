@@ -392,7 +392,7 @@ impl Found {
         let seen = analysis.seen(case.axes);
         let warnings = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
         let why = analysis.why_not_exact();
-        let headline = (analysis.found.is_some() || analysis.both.is_some()).then(|| {
+        let headline = analysis.is_reconstruction().then(|| {
             let refuted_by = why.iter().flat_map(|why| &why.refuted_by);
             (led_by(None, why.as_ref()), refuted_by.map(|check| check.code().to_owned()).collect())
         });

@@ -397,7 +397,10 @@ fn no_table_is_the_template_in_silence() {
         ("VEHICLE2.SPEED [mph]", "small letters"),
         ("v2.speed", "\"vehicle1.speed\" or \"vehicle2.speed\""),
         ("car__speed", "\"vehicle1.speed\""),
-        ("mass [kg]", "\"vehicle1.mass\" or \"vehicle2.mass\"? If it is no key, give it another name"),
+        (
+            "mass [kg]",
+            "\"vehicle1.mass\" or \"vehicle2.mass\"? If the column is not meant as a key, rename it",
+        ),
         ("crush_plane [deg]", "\"impact.crush_plane\""),
         ("crush.depths [cm]", "\"vehicle1.crush.depths\" or \"vehicle2.crush.depths\""),
         ("pdof__deg", "\"vehicle1.crush.pdof\""),
@@ -524,10 +527,7 @@ fn a_table_asks_whether_collisions_were_avoidable() {
 
 /// The results of one row, which is a case as a template.
 fn avoided(case: &str) -> RecordBatch {
-    let template = RowTemplate::parse("t.toml", case).unwrap();
-    let one = batch(vec![("seed", Arc::new(Int64Array::from(vec![1])))]);
-    let go_on = |_, _| ControlFlow::Continue(());
-    run(Job::Avoid, &one, &template, &RowOptions::default(), &go_on).unwrap()
+    alone(Job::Avoid, case, &RowOptions::default())
 }
 
 /// From a stop, 8 m with 1.6 m/s² on the first 6: the vehicle never reaches a limit of 50 km/h. With a

@@ -3,8 +3,8 @@
 use pim_core::{Motion, Vector2};
 use real::Real;
 
-/// (m/s) greatest speed along either axis at a start: faster than light. Draws before all evidence may be far
-/// faster than a vehicle.
+/// (m/s) greatest speed along either axis at a start, three times that of light: an estimate follows draws of
+/// its prior that no vehicle reaches.
 pub const GREATEST_SPEED: f64 = 1e9;
 /// (rad/s) greatest yaw rate at a start, to either side.
 pub const GREATEST_YAW_RATE: f64 = 1e9;

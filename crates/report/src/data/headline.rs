@@ -22,7 +22,7 @@ pub fn led_by(weighed: Option<&Weighed>, why_not_exact: Option<&WhyNotExact>) ->
 
 /// The answer of a reconstruction; `None` for any other analysis.
 pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option<Value> {
-    if analysis.found.is_none() && analysis.both.is_none() {
+    if !analysis.is_reconstruction() {
         return None;
     }
     let why = weighed.map(|weighed| weighed.why.clone()).or_else(|| analysis.why_not_exact());

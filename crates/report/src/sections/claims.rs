@@ -42,9 +42,9 @@ pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
     document.push(table);
     document.paragraph(
         "bias: mean of ln(claimed/recorder). rms: root mean square of the same. ± is a standard error that counts \
-         collisions, not vehicles. CRPS: for a single value, the mean absolute error. Where a recorder stored only the \
-         longitudinal part of ΔV, the size of that part is compared with the column as it is; \
-         `deltav validate --field FILE` takes WinSMASH's longitudinal part there.",
+         collisions, not vehicles. CRPS: for a single value, the mean absolute error. If a recorder stored only the \
+         longitudinal ΔV, its size is compared with the claim, whatever the claim is; for such a recorder, \
+         `deltav validate --field FILE` uses WinSMASH's longitudinal ΔV.",
     );
     if has_intervals {
         document.paragraph(

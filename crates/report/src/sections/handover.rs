@@ -405,7 +405,7 @@ const LEAD: f64 = 0.95;
 
 /// The error rate of the program by the comparison with staged collisions, for this analysis.
 fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation, units: Units) {
-    if analysis.found.is_none() && analysis.both.is_none() {
+    if !analysis.is_reconstruction() {
         page.paragraph(
             "This report reconstructs no speed; the error rate below is that of speeds which the program \
              reconstructs from damage.",

@@ -58,12 +58,12 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if let Some(both) = &analysis.both {
         page.both(both, analysis);
     }
-    if analysis.found.is_none() && analysis.both.is_none() && analysis.impact.is_none() {
+    if !analysis.is_reconstruction() && analysis.impact.is_none() {
         page.rests(analysis);
     }
     if headline.is_exact() {
         // Many read no further than the first screen.
-        if analysis.found.is_some() || analysis.both.is_some() {
+        if analysis.is_reconstruction() {
             page.document.paragraph(taken_as_exact(case));
         }
         page.document.blocks.extend(warnings::notice(&of_case, None));
@@ -102,11 +102,12 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
 /// Why an exact solution has no interval, and what gives one.
 fn taken_as_exact(case: &Case) -> &'static str {
     if is_uncertain(case) {
-        "No interval: every input is taken at its central value, and the method as exact. `deltav uncertainty` gives \
-         intervals by the ranges of the inputs, `deltav estimate` with the errors of the method, too."
+        "Each input is taken at its central value, and the method as exact, so these figures have no interval. \
+         `deltav uncertainty` gives intervals by the ranges of the inputs; those of `deltav estimate` include the errors \
+         of the method, too."
     } else {
-        "No interval: the inputs and the method are taken as exact. `deltav estimate` gives intervals with the errors of \
-         both."
+        "The inputs and the method are taken as exact, so these figures have no interval. `deltav estimate` gives \
+         intervals that include the errors of both."
     }
 }
 

@@ -111,7 +111,7 @@ impl<'a> Page<'a> {
             );
         }
         let nominal = &uncertainty.nominal;
-        if nominal.found.is_some() || nominal.both.is_some() {
+        if nominal.is_reconstruction() {
             let others = counted(uncertainty.taken_as_exact.len(), "input");
             lines.push(format!(
                 "The intervals contain the ranges listed here alone: the other {others}, the impact law and the \

@@ -58,7 +58,7 @@ fn readme(ledger: &mut Ledger) {
         "user and system time, and elapsed time, of the first command in a fresh clone by Rust 1.95 on x86-64",
     );
     ledger.cited(
-        "compiles … 14 minutes … 7 minutes … 4.7 GB … 6 minutes",
+        "compiles … 15 minutes … 8 minutes … 4.7 GB … 4 minutes",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, `du -sh target` afterwards, and the \
          elapsed time of the tests",
     );

@@ -34,7 +34,7 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
 /// speed, and not every vehicle is followed to rest.
 fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     match assumption {
-        Assumption::SpeedUnused { .. } => analysis.found.is_some() || analysis.both.is_some(),
+        Assumption::SpeedUnused { .. } => analysis.is_reconstruction(),
         Assumption::ImpactAtOrigin | Assumption::LevelGround => analysis.travel.iter().any(Option::is_some),
         Assumption::Axle { vehicle, .. } | Assumption::StraightWheels { vehicle } => {
             analysis.travel[vehicle.index()].is_some()
