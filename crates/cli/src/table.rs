@@ -234,10 +234,14 @@ impl Input {
     /// Every column is a text: a number in it is read as a column of numbers would be.
     fn csv(name: &str, source: Box<dyn Read>, keep: Option<&[String]>, total: Option<usize>) -> Result<Self> {
         let Opened { reader, schema, called } = Opened::of(source)?;
+        // Spreadsheets separate columns by semicolons where a comma is the decimal mark.
+        let has_decimal_commas = called == Some(SEMICOLONS);
         if let Some(called) = called {
-            note(&format!("note: the columns of {name} are separated by {called}"));
+            let and = if has_decimal_commas { ", so a comma in a number is a decimal comma" } else { "" };
+            note(&format!("note: the columns of {name} are separated by {called}{and}"));
         }
-        let kept = kept(&schema, keep, &columns_kept(&schema)?)?;
+        let others = columns_kept(&schema)?;
+        let kept = kept(&schema, keep, &others)?;
         let (of_batches, mut records, name) = (schema.clone(), reader.into_byte_records(), name.to_owned());
         let batches = std::iter::from_fn(move || {
             let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); of_batches.fields().len()];
@@ -251,7 +255,11 @@ impl Input {
                 bytes += record.as_slice().len();
                 for (place, column) in columns.iter_mut().enumerate() {
                     let cell = record.get(place).and_then(|cell| std::str::from_utf8(cell).ok());
-                    column.push(cell.filter(|cell| !cell.trim().is_empty()).map(str::to_owned));
+                    let cell = cell.filter(|cell| !cell.trim().is_empty());
+                    column.push(cell.map(|cell| match has_decimal_commas && !others.contains(&place) {
+                        true => with_points(cell),
+                        false => cell.to_owned(),
+                    }));
                 }
                 faults.push(fault(&name, &record, of_batches.fields()));
             }
@@ -274,7 +282,9 @@ const PARQUET: &[u8; 4] = b"PAR1";
 const BYTES_AT_ONCE: usize = 1 << 26;
 
 /// The separators of columns, and their names; the first is the usual one.
-const SEPARATORS: [(u8, &str); 4] = [(b',', "commas"), (b';', "semicolons"), (b'\t', "tabs"), (b'|', "bars")];
+const SEPARATORS: [(u8, &str); 4] = [(b',', "commas"), (b';', SEMICOLONS), (b'\t', "tabs"), (b'|', "bars")];
+
+const SEMICOLONS: &str = "semicolons";
 
 /// A CSV table whose header is read.
 struct Opened<R> {
@@ -341,6 +351,13 @@ fn separator(header: &[u8]) -> Result<u8> {
     // The first of equally frequent ones.
     let most = (0..SEPARATORS.len()).rev().max_by_key(|place| counts[*place]).unwrap_or_default();
     Ok(SEPARATORS[most].0)
+}
+
+/// A cell with points in place of decimal commas, if it holds numbers alone.
+fn with_points(cell: &str) -> String {
+    let pointed = cell.replace(',', ".");
+    let is_number = |word: &str| word.replace('\u{2212}', "-").parse::<f64>().is_ok();
+    if pointed.split_whitespace().all(is_number) { pointed } else { cell.to_owned() }
 }
 
 /// The fault of a row, with its place.

@@ -185,6 +185,27 @@ fn other_separators_are_found() {
     }
 }
 
+/// What a spreadsheet saves where the comma is the decimal mark, and what `--csv-style european` writes, is read.
+#[test]
+fn decimal_commas_are_read_between_semicolons() {
+    let points = of_csv(
+        "points.csv",
+        b"vehicle2.speed [mph],vehicle2.crush.depths [in]\n10.5,8.5 7 6.25\n-2.5,9 8.5\n",
+    );
+    let commas =
+        "note;vehicle2.speed [mph];vehicle2.crush.depths [in]\n1,5;10,5;8,5 7 6,25\na,b;\u{2212}2,5;9 8,5\n";
+    let commas = of_csv("commas.csv", commas.as_bytes());
+    assert_eq!((points.0, commas.0), (Some(0), Some(0)), "{}{}", points.2, commas.2);
+    assert!(commas.2.contains("a comma in a number is a decimal comma"), "{}", commas.2);
+    assert_eq!(column(&commas.1, "vehicle1_speed"), column(&points.1, "vehicle1_speed"));
+    // A column of the table's own stays as it is.
+    assert_eq!(column(&commas.1, "note"), ["1,5", "a,b"]);
+    // Where other characters separate the columns, such a number is refused.
+    let tabs = of_csv("tabs.csv", b"id\tvehicle2.speed [mph]\n1\t10,5\n");
+    assert_eq!(tabs.0, Some(1));
+    assert!(column(&tabs.1, "help")[0].contains("10.5"), "{}", tabs.1);
+}
+
 /// A row with too many or too few fields, or in another encoding, has an error of its own, and is reported
 /// with its place before the rows are computed.
 #[test]
