@@ -152,13 +152,13 @@ pub enum StiffnessLine<T = f64> {
 pub struct GivenTest<T = f64> {
     /// `mass` or `weight` of the tested car.
     pub mass: Mass<T>,
-    /// (m/s) against the barrier.
+    /// (m/s) its impact speed.
     pub speed: Quantity<T>,
-    /// (m) of the damage.
+    /// (m) width of the damage.
     pub width: Quantity<T>,
     /// (m) residual crush at equally spaced stations.
     pub depths: Vec<Quantity<T>>,
-    /// (m/s) at which no crush would have remained.
+    /// (m/s) speed that would have left no crush.
     pub no_damage_speed: Quantity<T>,
     /// How the line is fitted to the test.
     pub fit: Fit,
@@ -175,7 +175,7 @@ pub enum Fit {
 }
 
 impl Fit {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
 }
 
