@@ -66,7 +66,7 @@ impl<T: Real> Advance<T> {
         Ok(match *self {
             Self::Steady { speed } => speed,
             Self::FromStop { acceleration, up_to } => {
-                // v = √(2 a s), at most that which it keeps
+                // v = √(2 a s), at most the speed that it keeps
                 let gained = (acceleration * distance * 2.0).sqrt();
                 up_to.map_or(gained, |kept| if gained.value() < kept.value() { gained } else { kept })
             }
