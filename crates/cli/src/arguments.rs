@@ -367,7 +367,7 @@ pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
     ("Utilities", &["explain", "schema", "completions", "man", "help"]),
 ];
 
-/// What the command does stands between its name and its usage, its examples behind the options.
+/// The description of the command comes between its name and its usage, its examples after the options.
 const HELP: &str = "{about-with-newline}\n{before-help}{usage-heading} {usage}\n\n{all-args}{after-help}";
 
 /// The command line, whose help lists the commands in groups, which clap does not have.

@@ -533,7 +533,7 @@ impl Output {
     }
 }
 
-/// The cause itself, by which the end of a pipe is recognised.
+/// The cause itself, which identifies the end of a pipe.
 fn of_csv(error: csv::Error) -> anyhow::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error.into(),
@@ -541,7 +541,7 @@ fn of_csv(error: csv::Error) -> anyhow::Error {
     }
 }
 
-/// The same of the other library.
+/// The same for the other library.
 fn of_parquet(error: ParquetError) -> anyhow::Error {
     match error {
         ParquetError::External(cause) => anyhow::Error::from_boxed(cause),

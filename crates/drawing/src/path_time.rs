@@ -46,7 +46,7 @@ pub struct PathTimePicture {
     pub impact: (f64, String),
     /// The label of the reaction demand.
     pub demand: String,
-    /// The legend of the places at which brakes take effect.
+    /// The legend of the places where brakes take effect.
     pub brakes: String,
 }
 

@@ -38,7 +38,7 @@
 //!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`.
 //!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores:
 //!   `vehicle1__mass__lb`, `vehicle1__crush__depths__1__in`, `vehicle1__crush__stiffness__B__N_per_cm2`.
-//!   Two, as keys have single ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and
+//!   Two, because keys have single ones in them: `vehicle1_yaw_rate_sd` could be split in several ways, and
 //!   is refused.
 //!
 //! A number without a unit is in SI units and radians. A unit is part of the name of the column, or of the
