@@ -61,8 +61,8 @@ struct Files<'a> {
     folder: Option<Folder<'a>>,
 }
 
-/// Refuses to write over what is read or to where nothing can be written, and makes the folder for files; to
-/// be called before anything is computed.
+/// Refuses to overwrite an input, or to write where nothing can be written, and makes the folder for files.
+/// To be called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     check_files(files(command))
 }

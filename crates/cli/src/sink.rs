@@ -48,7 +48,7 @@ impl Sink {
         Ok(Self::Beside { file, place })
     }
 
-    /// Writes out what is still on its way and gives the file its name.
+    /// Writes out the rest, and gives the file its name.
     pub(crate) fn finish(self) -> io::Result<()> {
         match self {
             Self::StandardOutput(mut stdout) => stdout.flush(),

@@ -37,7 +37,7 @@ use crate::threads::pool;
 /// Rows that are in memory at a time, except for those of a row group of the output.
 const AT_ONCE: usize = 8192;
 
-/// Rows of a row group of a Parquet file: what is in memory until it is written.
+/// Rows of a row group of a Parquet file, which stay in memory until it is written.
 const ROW_GROUP: usize = 65_536;
 
 const CANNOT_WRITE: &str = "cannot write the results";

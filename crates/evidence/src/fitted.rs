@@ -286,7 +286,7 @@ fn kind(hit: &[DamagedSide]) -> usize {
     hit.iter().max().map_or(0, |damage| *damage as usize)
 }
 
-/// (kg, m) mass and width to which the stiffness of the fleet refers.
+/// (kg, m) mass and width that the stiffness of the fleet refers to.
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {

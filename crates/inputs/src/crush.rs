@@ -180,7 +180,7 @@ impl Fit {
 }
 
 impl<T: Copy> StiffnessForm<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessForm<U> {
         match self {
@@ -195,7 +195,7 @@ impl<T: Copy> StiffnessForm<T> {
 }
 
 impl<T: Copy> GivenTest<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> GivenTest<U> {
         let Self { mass, speed, width, depths, no_damage_speed, fit } = self;
@@ -211,7 +211,7 @@ impl<T: Copy> GivenTest<T> {
 }
 
 impl<T: Copy> StiffnessLine<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessLine<U> {

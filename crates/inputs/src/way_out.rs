@@ -36,7 +36,7 @@ pub enum ClearSpeedForm<T = f64> {
     Steady(Quantity<T>),
     /// That of its approach.
     AsItCame,
-    /// That to which the phases of its vehicle lead, which begin with a known speed.
+    /// The speed that the phases of its vehicle lead to; they begin with a known speed.
     Phases(Vec<PhaseForm<T>>),
     /// That of its vehicle, which the rest of the case gives.
     Sought,

@@ -47,7 +47,7 @@
 //!
 //! | the key has | its column is |
 //! |---|---|
-//! | a number, with a unit or without | a number or a text; or, for a range, a struct with fields of `value`, `sd`, `low`, `mode`, `high`, `within` (in per cent) and `confidence`, of which `value` alone is a plain number |
+//! | a number, with a unit or without | a number or a text; or, for a range, a struct with fields of `value`, `sd`, `low`, `mode`, `high`, `within` (in per cent) and `confidence`; one with `value` alone is a plain number |
 //! | a list of numbers | a list of these, which ends at its first null; a text, `"0.54 0.52 0.35"`; or a column for each, `depths[1]`, `depths[2]`, … |
 //! | a word or a text, true or false | a text; a Boolean |
 //! | a word or a table, such as `tangential` | a text, or a struct with the keys of the table and `word` |

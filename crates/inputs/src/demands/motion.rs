@@ -37,7 +37,7 @@ enum Departed {
 
 impl<T> Case<T> {
     /// Whether the speeds that are sought follow from how the vehicles left the impact: always if both are
-    /// sought; for one speed, only if no vehicle has damage from which it could follow.
+    /// sought; for one speed, only if no vehicle has damage that could give it.
     #[must_use]
     pub fn is_by_momentum(&self) -> bool {
         let Some(reconstruct) = &self.reconstruct else { return false };
