@@ -316,7 +316,7 @@ impl From<Question> for Asked {
     fn from(question: Question) -> Self {
         match question {
             Question::Reconstruct(ReconstructArguments { report, exact }) => {
-                // The report to hand over has what takes as long again; a live one is without.
+                // The report to hand over adds intervals that take as long again; a live one leaves them out.
                 let is_page = matches!(report.cases.format, Ok(Format::Html | Format::Markdown));
                 let method = is_page && !exact && !report.live;
                 Self::report(Request::Reconstruct(ReconstructOptions { weigh: !exact, method }), report)

@@ -52,7 +52,7 @@ pub struct EstimateAnswer {
 }
 
 impl EstimateOptions {
-    /// A number of particles that can be dealt in two halves of whole blocks.
+    /// Checks that a number of particles can be dealt into two halves of whole blocks.
     ///
     /// # Errors
     /// What to give instead.

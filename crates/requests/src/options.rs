@@ -49,7 +49,7 @@ impl RequestOptions {
         Ok(Self { given, known: RefCell::default() })
     }
 
-    /// Gives a flag this value if it is not given.
+    /// Sets a flag to this value unless it is given.
     #[must_use]
     pub fn or(mut self, name: &str, flag: bool) -> Self {
         if self.get(name).is_none() {

@@ -24,7 +24,7 @@ impl SensitivityOptions {
     /// Maximum number of steps to each side.
     pub const MOST_STEPS: u32 = 180;
 
-    /// A possible step of the sweep (degrees).
+    /// Checks a step of the sweep (degrees).
     ///
     /// # Errors
     /// What to give instead.

@@ -1,4 +1,4 @@
-//! Converts SAS files to the CSV that NHTSA would have supplied.
+//! Converts SAS files to the CSV that NHTSA also offers.
 
 use std::ops::ControlFlow;
 
