@@ -73,7 +73,7 @@ pub(crate) fn check_asked(asked: &Asked) -> Result<()> {
 }
 
 fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
-    // The pictures that cases name are looked for where one of them could be written over.
+    // Looks for the pictures that cases name only if one of them could be overwritten.
     if folder.is_some() || outputs.iter().any(|output| is_file(output.path)) {
         let cases = inputs.iter().filter(|input| input.what == CASE);
         let plans: Vec<PathBuf> = cases.filter_map(|case| site_plan_of(&case.path)).collect();

@@ -1,5 +1,5 @@
-//! The destination of output. A file is written next to its place and then takes it in one step: until then
-//! the old one is there, and if the writing fails, it stays.
+//! The destination of output. A file is written next to its place, and then takes the place in one step:
+//! until then, and if the writing fails, the old file stays.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Stdout, Write};

@@ -68,7 +68,7 @@ impl Tuning {
     }
 }
 
-/// The kind to try next, for a uniform number in (0, 1): in proportion to its worth, with a least share for each.
+/// The kind to try next, for a uniform number in (0, 1): in proportion to its worth, with a least share each.
 pub(crate) fn choose(tunings: &[Tuning; KINDS.len()], share: f64) -> usize {
     /// (–) fraction of the mean worth added to each.
     const FLOOR: f64 = 0.2;

@@ -160,7 +160,8 @@ impl CrashPulse {
             }
             before = one.time;
         }
-        // A recorder with one axis has no values for the other; with both axes, a sample needs both.
+        // A recorder with one axis has no values for the other; with both axes, a sample needs both until one
+        // axis ends.
         let has =
             |of: fn(&PulseSample) -> Option<f64>| samples.iter().filter(|one| of(one).is_some()).count() >= 2;
         let (along, across) = (has(|one| one.longitudinal), has(|one| one.lateral));
@@ -191,7 +192,7 @@ impl CrashPulse {
             .collect();
         if kept.len() < 2 {
             let found = samples.iter().filter(|one| one.longitudinal.or(one.lateral).is_some()).count();
-            // With two samples of either axis, and none of both, no two are whole.
+            // Each axis may have two samples, but fewer than two samples have both.
             return Err(PulseFault::TooFew { found: found.min(1) });
         }
         Ok(Self { samples: kept, padded_from })

@@ -93,7 +93,7 @@ impl Head {
     }
 }
 
-/// One of the words into which a word of a heading falls.
+/// A part of a word of a heading.
 struct Part {
     plain: String,
     /// The index of its word.
