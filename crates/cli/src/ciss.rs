@@ -241,7 +241,7 @@ impl CissFiles for Year<'_> {
     }
 }
 
-/// A crash that is there twice would count twice.
+/// Refuses a crash that appears twice, because it would count twice.
 fn check_distinct(years: &[FieldYear]) -> Result<()> {
     let mut places: BTreeMap<[String; 2], usize> = BTreeMap::new();
     for (place, FieldYear { source, crashes, .. }) in years.iter().enumerate() {

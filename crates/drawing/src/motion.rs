@@ -117,7 +117,7 @@ pub struct MotionVehicle {
     pub measured_points: Vec<MeasuredPoint>,
     /// (m) its tyre marks: a line for each stretch on which a wheel slides.
     pub marks: Vec<Vec<[f64; 2]>>,
-    /// (m) the skid marks before the impact, from where each begins to where it ends.
+    /// (m) beginning and end of each skid mark before the impact.
     pub skids: Vec<[[f64; 2]; 2]>,
 }
 

@@ -115,7 +115,7 @@ impl SpeedErrorSource {
 pub struct SpeedErrorPart {
     /// The source.
     pub source: SpeedErrorSource,
-    /// (m/s) by how much it moves the mean.
+    /// (m/s) its shift of the mean.
     pub shift: f64,
     /// (m²/s²) its part of the variance. The parts add up to the whole.
     pub variance: f64,

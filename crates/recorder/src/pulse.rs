@@ -62,7 +62,7 @@ pub enum PulseRule {
     Change {
         /// (m/s) the change.
         change: f64,
-        /// (s) in which time.
+        /// (s) the window.
         window: f64,
     },
     /// The impact lasts as long as the acceleration, averaged over 20 ms, is above this one (m/s²).

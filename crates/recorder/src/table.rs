@@ -158,11 +158,11 @@ pub enum Apart {
         /// (s) its first time after the impact.
         time: f64,
     },
-    /// It has a quantity of the other table, at times of it.
+    /// It has a quantity that the other table also has, at the same times.
     GivenTwice {
         /// The quantity.
         channel: Channel,
-        /// (s) from where on both have times.
+        /// (s) the time from which both have it.
         time: f64,
     },
 }
@@ -490,7 +490,7 @@ pub enum TextRefusal {
         place: TextPlace,
         /// The text there.
         text: String,
-        /// (unit of the heading) from where to where times can lie.
+        /// (unit of the heading) the least and the greatest possible time.
         range: [f64; 2],
     },
     /// A time that also appears in the row before.

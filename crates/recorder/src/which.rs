@@ -106,7 +106,7 @@ impl MatchErrors {
 pub enum Mismatch {
     /// The directions of force differ.
     Direction {
-        /// (rad) by how much.
+        /// (rad) the difference.
         difference: f64,
     },
     /// The record's ΔV differs from that of the impact by a factor.

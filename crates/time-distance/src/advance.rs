@@ -57,7 +57,7 @@ impl<T: Real> Advance<T> {
         }
     }
 
-    /// (m/s) its speed after a distance (m) from where it is at the beginning.
+    /// (m/s) its speed after a distance (m) from its position at the beginning.
     ///
     /// # Errors
     /// As [`Advance::time_over`].

@@ -21,7 +21,7 @@ const NARROW: f64 = 1e-6;
 /// Fraction of a step below which it is not divided further to look for crossings.
 const SHORTEST: f64 = 1e-3;
 
-/// Rounds in which a crossing is sought on the cubics of the distances; after that by bisection.
+/// Rounds of the search for a crossing on the cubics of the distances; bisection follows.
 const MOST_CUBICS: u32 = 8;
 
 /// Rounds of Newton's method on such a cubic, from its chord.
