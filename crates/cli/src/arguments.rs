@@ -316,7 +316,7 @@ impl From<Question> for Asked {
     fn from(question: Question) -> Self {
         match question {
             Question::Reconstruct(ReconstructArguments { report, exact }) => {
-                // The report to hand over has what takes as long again; a live one is without.
+                // The report to hand over adds intervals that take as long again; a live one leaves them out.
                 let is_page = matches!(report.cases.format, Ok(Format::Html | Format::Markdown));
                 let method = is_page && !exact && !report.live;
                 Self::report(Request::Reconstruct(ReconstructOptions { weigh: !exact, method }), report)
@@ -367,7 +367,7 @@ pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
     ("Utilities", &["explain", "schema", "completions", "man", "help"]),
 ];
 
-/// What the command does stands between its name and its usage, its examples behind the options.
+/// The description of the command comes between its name and its usage, its examples after the options.
 const HELP: &str = "{about-with-newline}\n{before-help}{usage-heading} {usage}\n\n{all-args}{after-help}";
 
 /// The command line, whose help lists the commands in groups, which clap does not have.

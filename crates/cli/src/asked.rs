@@ -32,7 +32,7 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
     let (answer, pool) = answer(&request, &file.case, threads)?;
     let mut answer = found(answer, &file, units)?;
     has_outputs(&request, &answer)?;
-    // Neither a live report without a headline nor samples without an answer are of use.
+    // Neither a live report without a headline nor samples without an answer is of use.
     let unweighed = match &mut answer {
         Answer::Analysis(solved) => solved.unweighed.take(),
         _ => None,
@@ -60,7 +60,7 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
     };
     present(arguments.format, arguments.output.file(), document, || answer.json(&file))?;
     if let Some(failure) = unweighed {
-        // The exact solution has been printed as such.
+        // The exact solution has been printed already.
         return answered(Err(failure), &file, units)
             .context("the evidence could not be weighed, so the case has no headline");
     }

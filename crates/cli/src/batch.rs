@@ -17,8 +17,8 @@ use crate::present::NoAnswer;
 use crate::progress::Progress;
 use crate::sink::Sink;
 
-/// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
-/// waits for a slow one, and few enough to keep in memory.
+/// Cases per thread that are begun ahead of the next row to be written: enough that no thread waits for a
+/// slow one, and few enough to keep in memory.
 const AHEAD: usize = 16;
 
 const CANNOT_WRITE: &str = "cannot write the rows";

@@ -20,7 +20,7 @@ pub(crate) const LARGEST_TABLE: usize = 1 << 28;
 /// (bytes) all tables of a run together, unpacked.
 const LARGEST_ALL: usize = 1 << 30;
 
-/// (–) tables that are read of a year, at most.
+/// (–) maximum number of tables read of a year.
 const TABLES: usize = 5;
 
 /// Crashes of NHTSA's tables.
@@ -241,7 +241,7 @@ impl CissFiles for Year<'_> {
     }
 }
 
-/// A crash that is there twice would count twice.
+/// Refuses a crash that appears twice, because it would count twice.
 fn check_distinct(years: &[FieldYear]) -> Result<()> {
     let mut places: BTreeMap<[String; 2], usize> = BTreeMap::new();
     for (place, FieldYear { source, crashes, .. }) in years.iter().enumerate() {

@@ -88,7 +88,7 @@ fn weigh(analysis: &Analysis, file: &CaseFile, units: Units) -> Result<Option<We
     })
 }
 
-/// The pictures of an estimate as it is without options.
+/// The pictures of an estimate with the default options.
 fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
     let options = EstimateOptions { pieces: false, ..EstimateOptions::default() };
     let answer = in_pool(&pool(None)?, |progress| options.answer(&file.case, progress))?;
@@ -111,7 +111,7 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
     drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 
-/// A picture of avoidability as it is without options.
+/// A picture of avoidability with the default options.
 fn avoided(file: &CaseFile, units: Units, picture: AvoidPicture) -> Result<Drawing> {
     let request = Request::Avoid(AvoidOptions::default());
     let answer = in_pool(&pool(None)?, |progress| request.answer(&file.case, progress))?;

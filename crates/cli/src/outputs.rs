@@ -61,8 +61,8 @@ struct Files<'a> {
     folder: Option<Folder<'a>>,
 }
 
-/// Refuses to write over what is read or to where nothing can be written, and makes the folder for files; to
-/// be called before anything is computed.
+/// Refuses to overwrite an input, or to write where nothing can be written, and makes the folder for files.
+/// To be called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     check_files(files(command))
 }
@@ -73,7 +73,7 @@ pub(crate) fn check_asked(asked: &Asked) -> Result<()> {
 }
 
 fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
-    // The pictures that cases name are looked for where one of them could be written over.
+    // Looks for the pictures that cases name only if one of them could be overwritten.
     if folder.is_some() || outputs.iter().any(|output| is_file(output.path)) {
         let cases = inputs.iter().filter(|input| input.what == CASE);
         let plans: Vec<PathBuf> = cases.filter_map(|case| site_plan_of(&case.path)).collect();

@@ -12,7 +12,8 @@ use crate::arguments::Format;
 use crate::files::write;
 use crate::terminal;
 
-/// Writes a document, or its data as JSON, to the destination in the arguments. Only what is written is made.
+/// Writes a document, or its data as JSON, to the destination in the arguments; makes only the one that is
+/// written.
 pub(crate) fn present<E>(
     format: Format,
     output: Option<&Path>,

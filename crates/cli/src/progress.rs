@@ -16,10 +16,10 @@ const LONG: Duration = Duration::from_secs(1);
 /// Time between two lines if there is no terminal.
 const EVERY: Duration = Duration::from_secs(10);
 
-/// The variable by which scripts that compare the output of the program turn the lines off.
+/// The variable that turns the lines off, for scripts that compare the output of the program.
 const OFF: (&str, &str) = ("DELTAV_PROGRESS", "off");
 
-/// Whether Ctrl-C was pressed, and whether it is listened to.
+/// Whether Ctrl-C was pressed, and whether the program listens to it.
 static ENDED: AtomicBool = AtomicBool::new(false);
 static LISTENS: AtomicBool = AtomicBool::new(false);
 

@@ -1,5 +1,5 @@
-//! The destination of output. A file is written next to its place and then takes it in one step: until then
-//! the old one is there, and if the writing fails, it stays.
+//! The destination of output. A file is written next to its place, and then takes the place in one step:
+//! until then, and if the writing fails, the old file stays.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Stdout, Write};
@@ -48,7 +48,7 @@ impl Sink {
         Ok(Self::Beside { file, place })
     }
 
-    /// Writes out what is still on its way and gives the file its name.
+    /// Writes out the rest, and gives the file its name.
     pub(crate) fn finish(self) -> io::Result<()> {
         match self {
             Self::StandardOutput(mut stdout) => stdout.flush(),
@@ -93,7 +93,7 @@ pub(crate) fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.persist_noclobber(path).map(|_| ()).map_err(|error| error.error)
 }
 
-/// The file that is being written, under its name for the time being.
+/// The unfinished file, under its temporary name.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
 /// Removes the file that is being written, before the program is left in the middle of it.

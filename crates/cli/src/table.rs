@@ -37,7 +37,7 @@ use crate::threads::pool;
 /// Rows that are in memory at a time, except for those of a row group of the output.
 const AT_ONCE: usize = 8192;
 
-/// Rows of a row group of a Parquet file: what is in memory until it is written.
+/// Rows of a row group of a Parquet file, which stay in memory until it is written.
 const ROW_GROUP: usize = 65_536;
 
 const CANNOT_WRITE: &str = "cannot write the results";
@@ -550,7 +550,7 @@ impl Output {
     }
 }
 
-/// The cause itself, by which the end of a pipe is recognised.
+/// The cause itself, which identifies the end of a pipe.
 fn of_csv(error: csv::Error) -> anyhow::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error.into(),
@@ -558,7 +558,7 @@ fn of_csv(error: csv::Error) -> anyhow::Error {
     }
 }
 
-/// The same of the other library.
+/// The same for the other library.
 fn of_parquet(error: ParquetError) -> anyhow::Error {
     match error {
         ParquetError::External(cause) => anyhow::Error::from_boxed(cause),

@@ -32,7 +32,7 @@ pub(crate) fn validate(arguments: &ValidateArguments) -> Result<()> {
     show(&validation::validate(&Data::built_in())?, arguments)
 }
 
-/// Particles of an island, of which a pair has sixteen: the intervals of 350 vehicles need no more.
+/// Particles of an island; a pair has sixteen islands, and the intervals of 350 vehicles need no more.
 const PARTICLES_OF_PAIR: usize = 128;
 
 /// The text of a table of crashes.

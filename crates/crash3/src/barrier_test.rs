@@ -6,8 +6,7 @@ use crate::error::{self, CrushError};
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
-/// A full-width test against a rigid barrier: the residual crush, and the speed at which there would have
-/// been none.
+/// A full-width test against a rigid barrier: the residual crush, and the speed that would have left none.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BarrierTest<T = f64> {

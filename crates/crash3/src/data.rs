@@ -1,5 +1,4 @@
-//! Reading of the types with an invariant: their fields are the arguments of their constructors, which it
-//! calls.
+//! Reads the types with an invariant: their fields are the arguments of their constructors, which it calls.
 
 use alloc::vec::Vec;
 

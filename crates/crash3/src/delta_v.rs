@@ -93,8 +93,8 @@ pub enum EnergyBasis {
     /// The energy that the normal impulse dissipated, W_n: SAE 980025.
     #[default]
     Dissipated,
-    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which restitution returns: the energy
-    /// given by stiffness coefficients fitted to barrier tests by impact speed (Ziernicki & Rose, SAE
+    /// The energy absorbed at maximum engagement, W_n/(1−e²); restitution returns part of it. Stiffness
+    /// coefficients fitted to barrier tests by impact speed give this energy (Ziernicki & Rose, SAE
     /// 2005-01-1200).
     Absorbed,
 }

@@ -214,7 +214,7 @@ pub enum ObliqueCorrection<T = f64> {
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObliqueFactor<T = f64> {
-    /// The factor by which the crush energy is multiplied.
+    /// The factor on the crush energy.
     pub factor: T,
     /// Whether CRASH3's limit of 45° was in effect.
     pub capped: bool,
@@ -227,8 +227,8 @@ impl<T: Real> ObliqueCorrection<T> {
     /// SAE 980025, Eq 8.
     ///
     /// # Errors
-    /// If |α| ≥ π/2, as such a force does not push on the side (without correction every angle is accepted),
-    /// or if the friction coefficient is negative or not finite.
+    /// If |α| ≥ π/2, because such a force does not push on the side (without correction every angle is
+    /// accepted), or if the friction coefficient is negative or not finite.
     pub fn factor(self, oblique_angle: T) -> Result<ObliqueFactor<T>, CrushError> {
         let (factor, capped) = match self {
             Self::None => (T::ONE, false),

@@ -55,9 +55,9 @@ pub fn crush_from_force<T: Real>(
 }
 
 /// The same for an unknown width: with the `nominal_width` (m) of the other vehicle's damage, and the bounds
-/// of what is possible. The energy is highest for the narrowest damage, at which the crush reaches `deepest`
+/// of what is possible. The energy is highest for the narrowest damage, where the crush reaches `deepest`
 /// (m), the distance of the face from the CG. It is lowest for the widest: the width `widest` (m) of the
-/// side, or the width at which no residual crush is left. (If G is far above A²/2B, the bounds lie at other
+/// side, or the width that leaves no residual crush. (If G is far above A²/2B, the bounds lie at other
 /// widths, which are found.)
 ///
 /// # Errors

@@ -135,7 +135,7 @@ impl<T: Real> Stiffness<T> {
         }
     }
 
-    /// The point at which the force per width saturates; `None` if it never does.
+    /// The point where the force per width saturates; `None` if it never does.
     #[inline(always)]
     #[must_use]
     pub fn saturation(&self) -> Option<Saturation<T>> {
@@ -149,7 +149,7 @@ impl<T: Real> Stiffness<T> {
     }
 }
 
-/// The point at which the force per width ceases to rise.
+/// The point where the force per width ceases to rise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saturation<T = f64> {

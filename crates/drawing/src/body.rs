@@ -1,4 +1,4 @@
-//! The shape in which a vehicle or a fixed object is drawn.
+//! The drawn shape of a vehicle or a fixed object.
 
 use crate::footprint::{CrushProfile, Footprint};
 

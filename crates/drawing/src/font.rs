@@ -3,8 +3,8 @@
 
 use std::sync::LazyLock;
 
-/// Letters that follow one another: the first, and how far each moves on, in units of the em. A line of the
-/// table that cannot be read is none, and a test compares all letters with the font.
+/// Consecutive letters: the first, and the advance of each, in units of the em. A line of the table that
+/// cannot be read is left out, and a test compares all letters with the font.
 static ADVANCES: LazyLock<Vec<(char, Vec<u16>)>> = LazyLock::new(|| {
     let run = |line: &str| {
         let (first, units) = line.split_once(": ")?;

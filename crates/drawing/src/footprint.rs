@@ -215,7 +215,7 @@ impl Surface {
         })
     }
 
-    /// (m) depth at which the remaining body begins, at most that of the opposite face.
+    /// (m) depth of the surface of the remaining body, at most that of the opposite face.
     fn damaged(&self, along: f64, crush: f64) -> f64 {
         self.undamaged(along).max(crush).min(self.opposite(along))
     }

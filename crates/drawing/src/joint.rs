@@ -81,7 +81,7 @@ impl JointPicture {
         Drawing::new(self.title.clone(), self.description.clone(), canvas)
     }
 
-    /// The contour at which the density is `level`: a piece for each cell of the grid that it crosses.
+    /// The contour of the density `level`: a piece for each cell of the grid that it crosses.
     fn border(&self, chart: &Chart, level: f64) -> BezPath {
         let place = |k: usize, places: usize, [low, high]: [f64; 2]| {
             low + (high - low) * count(k) / count(places.max(2) - 1)

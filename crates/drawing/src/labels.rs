@@ -276,7 +276,7 @@ impl Placer {
             })
         }));
         let texts = count(self.texts.iter().filter(|text| cuts(line, **text)));
-        // The point at which it begins is its own.
+        // The point where the line begins is its own.
         let points = self.points.iter().filter(|point| !point.inflate(1.0, 1.0).contains(line.p0));
         let points = count(points.filter(|point| cuts(line, **point)));
         let near = self.obstacles.near(|few| cuts(line, few));

@@ -49,7 +49,7 @@ pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
     }
 }
 
-/// A unit in which the scale bar is labelled.
+/// The unit of a scale bar.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScaleUnit {
     /// Its printed name.

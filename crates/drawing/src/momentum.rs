@@ -20,12 +20,12 @@ const HEIGHT: f64 = 470.0;
 const MARGIN: f64 = 44.0;
 /// (px) maximum length of the longest momentum.
 const LONGEST: f64 = 560.0;
-/// (–) a polygon is drawn as a line, whose sides would lie on each other, if its corners lie no farther off
-/// that line than this share of its longest side.
+/// (–) a polygon is drawn as a line if its corners lie no farther off that line than this share of its
+/// longest side, because its sides would then lie on each other.
 const FLAT: f64 = 0.04;
 /// (px) from one arrow to the next in that case.
 const ROW: f64 = 42.0;
-/// (–) a vehicle whose momentum is shorter than this share of the longest stands still.
+/// (–) a vehicle whose momentum is shorter than this share of the longest is at rest.
 const STANDS: f64 = 1e-6;
 
 const TOTAL: Pen = Pen { colour: BLACK, width: 3.0, dashes: "" };

@@ -104,12 +104,12 @@ pub struct MotionVehicle {
     pub cg: [f64; 2],
     /// Its heading at impact; a unit vector.
     pub forward: [f64; 2],
-    /// The direction of its velocity before the impact; `None` if it stood still.
+    /// The direction of its velocity before the impact; `None` if it was at rest.
     pub approach: Option<SceneArrow>,
     /// From the impact on, in the order of time.
     pub path: Vec<MotionPoint>,
-    /// Its computed rest position; `None` if the motion was solved for the one that ends at the measured rest
-    /// position, since their agreement then shows nothing.
+    /// Its computed rest position; `None` if the motion was solved to end at the measured rest position,
+    /// since their agreement then shows nothing.
     pub rest: Option<MotionRest>,
     /// Its measured rest position.
     pub measured_rest: Option<MotionRest>,
@@ -117,7 +117,7 @@ pub struct MotionVehicle {
     pub measured_points: Vec<MeasuredPoint>,
     /// (m) its tyre marks: a line for each stretch on which a wheel slides.
     pub marks: Vec<Vec<[f64; 2]>>,
-    /// (m) the skid marks before the impact, from where each begins to where it ends.
+    /// (m) beginning and end of each skid mark before the impact.
     pub skids: Vec<[[f64; 2]; 2]>,
 }
 
@@ -220,7 +220,7 @@ impl MotionPicture {
     }
 
     /// Both vehicles at a time (s) since the impact, as far as they are known. Before the impact each drives
-    /// straight on; from the end of its path on, it rests.
+    /// straight on; after the end of its path it is at rest.
     #[must_use]
     pub fn bodies_at(&self, time: f64) -> [Option<PlanBody>; 2] {
         [0, 1].map(|i| {
@@ -344,7 +344,7 @@ impl MotionVehicle {
         }
     }
 
-    /// The drawn rest position: as computed or, if the motion was solved for it, as measured.
+    /// The drawn rest position: the computed one or, if the motion was solved for the measured one, that one.
     fn drawn_rest(&self) -> Option<&MotionRest> {
         self.rest.as_ref().or(self.measured_rest.as_ref())
     }

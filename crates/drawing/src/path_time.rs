@@ -15,7 +15,7 @@ const NAME: &str = "path-time";
 const PLOT: Rect = Rect::new(EDGE + 62.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 474.0);
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 8];
-/// (px) height of the bar in which the other party is in the danger zone.
+/// (px) height of the bar for the other party's time in the danger zone.
 const BAR: f64 = 12.0;
 
 /// Distance against time, from the reaction demand to the place of the impact and beyond.
@@ -39,14 +39,14 @@ pub struct PathTimePicture {
     pub courses: Vec<PathTimeCourse>,
     /// The distance of the other party along its own path, if it is known, with its legend.
     pub other: Option<(Vec<[f64; 2]>, String)>,
-    /// (s) from when to when the other party is in the danger zone, which need not end within the plot, with
-    /// its legend; `None` if the other moves along the same line.
+    /// (s) beginning and end of the other party's time in the danger zone, which may end beyond the plot,
+    /// with its legend; `None` if the other moves along the same line.
     pub zone: Option<([f64; 2], String)>,
     /// (s) the impact, with its label.
     pub impact: (f64, String),
     /// The label of the reaction demand.
     pub demand: String,
-    /// The legend of the places at which brakes take effect.
+    /// The legend of the places where brakes take effect.
     pub brakes: String,
 }
 

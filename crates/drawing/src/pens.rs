@@ -67,7 +67,7 @@ pub(crate) const COURSES: [Pen; 6] = [
     pen(GREEN, 2.2, "14 4"),
     pen(VERMILION, 2.6, "9 5"),
 ];
-/// The path of the other party, and the danger zone in which it is.
+/// The path of the other party, and its time in the danger zone.
 pub(crate) const OTHER_WAY: Pen = pen(BLACK, 1.6, "1.5 3.5");
 pub(crate) const ZONE: &str = "#f2d9a8";
 /// The place of the impact.

@@ -96,7 +96,7 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// The largest scale up to `largest` (px/m) at which the drawing fits into the room (px), centred in it.
+    /// The largest scale up to `largest` (px/m) that fits the drawing into the room (px), centred in it.
     /// `bounds` gives its extent (px) around the scene's origin at a scale.
     pub(crate) fn fit(room: Rect, largest: f64, bounds: impl Fn(f64) -> Rect) -> Self {
         let fits = |scale: f64| {
@@ -142,7 +142,7 @@ impl Contact {
         Vec2::new(-self.normal.y, self.normal.x)
     }
 
-    /// (m) the corners of the wall drawn for body `i`: on the far side of the crush plane.
+    /// (m) the corners of the wall drawn for body `i`, on the far side of the crush plane.
     pub(crate) fn wall(self, [low, high]: [f64; 2], i: usize) -> [Vec2; 4] {
         let t = self.tangent();
         let away = if i == 0 { self.normal } else { -self.normal };

@@ -22,7 +22,7 @@ const MOST: [u8; 2] = [10, 6];
 const ROOT: Pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
 
 /// The work that is compared with the crush energy, against the unknown speed, with the required work and the
-/// speed at which both are equal.
+/// speed that makes them equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReconciliationPicture {
     /// Title of the case.

@@ -42,7 +42,7 @@ pub struct ScatterPicture {
     pub upward: Axis,
     /// From left to right.
     pub panels: Vec<ScatterPanel>,
-    /// What the symbols stand for.
+    /// The meaning of each symbol.
     pub legend: Vec<(Symbol, String)>,
     /// Legend entry of the line where both numbers are equal.
     pub equality: String,

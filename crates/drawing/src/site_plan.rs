@@ -88,7 +88,7 @@ pub enum SitePlanError {
     /// Its corner gives it no place in the scene.
     #[error("the lower left corner of the site plan is at ({}, {}) m; give finite coordinates", .0[0], .0[1])]
     Corner([f64; 2]),
-    /// It has no direction in the scene.
+    /// Its direction vector is zero or not finite.
     #[error("the lower edge of the site plan points along ({}, {}); give a direction", .0[0], .0[1])]
     Along([f64; 2]),
 }

@@ -164,7 +164,7 @@ pub enum SamplerDoubt {
 pub enum Verdict<'a> {
     /// All islands agree.
     Converged,
-    /// They do not, for these reasons. The draws are then not an answer.
+    /// The run has not converged, for these reasons; the draws are not an answer.
     NotConverged(&'a [SamplerDoubt]),
 }
 

@@ -185,7 +185,7 @@ fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = 
         while reached <= place
             && let Some(particle) = current
         {
-            // If rounding leads beyond the end, the last particle with a weight is taken.
+            // If rounding leads past the end, take the last particle with a weight.
             if weights[particle.0][particle.1] > 0.0 {
                 last = current;
             }
@@ -373,7 +373,7 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
     Step { size, is_last, weights: weights.collect(), log_mean: ln(mean) + size * best }
 }
 
-/// The state with which an island moves its particles.
+/// What an island needs to move its particles.
 struct Traveller<'a, 'b, P, E> {
     target: &'a Target<'b, P, E>,
     key: u64,

@@ -1,7 +1,7 @@
 //! Draws from a Bayesian posterior, and its evidence.
 //!
-//! Tempered sequential Monte Carlo: particles drawn from the prior are led to the posterior in steps, and are
-//! weighted, resampled and moved in each. The method needs no derivatives, finds several modes, processes
+//! Tempered sequential Monte Carlo: particles drawn from the prior move to the posterior in steps; each step
+//! weights, resamples and moves them. The method needs no derivatives, finds several modes, processes
 //! particles in blocks, and reports when it has not converged.
 //!
 //! ```

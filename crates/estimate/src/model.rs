@@ -67,9 +67,9 @@ pub trait Evidence: Sync {
         self.log_likelihood(values, terms, reasons);
     }
 
-    /// The same for proposals, of which only those accepted by `hurdle` matter, so that a model can skip slow
-    /// terms for the others: if a proposal is rejected even with the maximum of a term, this maximum may
-    /// replace the term. Returns whether it has written the terms; if not,
+    /// The same for proposals. Only those that `hurdle` accepts matter, so a model can skip slow terms for
+    /// the others: if a proposal is rejected even with the maximum of a term, this maximum may replace the
+    /// term. Returns whether the model has written the terms; if not,
     /// [`log_likelihood`](Self::log_likelihood) is called.
     ///
     /// The draws have the same bits either way.
@@ -89,8 +89,8 @@ pub trait Evidence: Sync {
         0
     }
 
-    /// Writes the outputs and residuals of each draw. It is called once for the final particles, all of which
-    /// are possible.
+    /// Writes the outputs and residuals of each draw. It is called once, for the final particles, which are
+    /// all possible.
     ///
     /// `outputs` has a column for each output, which must become finite. `residuals` has one for each of
     /// [`parts`](Self::parts), initially NaN, for the normal score of the observation: the standard normal
@@ -186,8 +186,8 @@ impl Hurdle<'_> {
         self.used
     }
 
-    /// Whether each proposal is accepted with these terms. One that is not would not be accepted with lower
-    /// terms either, whatever the rounding.
+    /// Whether each proposal is accepted with these terms. A proposal that is rejected would also be rejected
+    /// with lower terms, whatever the rounding.
     #[must_use]
     pub fn takes(&self, terms: &[Lanes]) -> [bool; LANES] {
         let sums = sum_of_used(terms, self.used, self.faded);

@@ -68,7 +68,7 @@ impl Tuning {
     }
 }
 
-/// The kind to try next, for a uniform number in (0, 1): in proportion to its worth, but each at times.
+/// The kind to try next, for a uniform number in (0, 1): in proportion to its worth, with a least share each.
 pub(crate) fn choose(tunings: &[Tuning; KINDS.len()], share: f64) -> usize {
     /// (–) fraction of the mean worth added to each.
     const FLOOR: f64 = 0.2;
@@ -166,7 +166,7 @@ impl Proposal {
             let place = |index: usize| (index / LANES, index % LANES);
             *partners = [place(a), place(b)];
             let share = unit(bits(lengths, lane));
-            // From a quarter to one and a half of the length.
+            // From a quarter of the length to one and a half times it.
             let within = 0.25 + 1.25 * (share - WHOLE) / (1.0 - WHOLE);
             *length = if share < WHOLE { 1.0 } else { best * scale * within };
         }

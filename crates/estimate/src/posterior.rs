@@ -444,14 +444,14 @@ impl Posterior {
         Draws::new(&self.islands, None)
     }
 
-    /// The draws with other weights, one for each, for statistics of any column: all NaN with another number
-    /// of weights.
+    /// The draws with other weights, one for each, for statistics of any column. With another number of
+    /// weights, all statistics are NaN.
     #[must_use]
     pub fn weighted<'a>(&'a self, weights: &'a Weights) -> Draws<'a> {
         Draws::new(&self.islands, Some(&weights.weights))
     }
 
-    /// Statistics of a value or an output: all NaN if there is none of this number.
+    /// Statistics of a value or an output; all NaN if it does not exist.
     #[must_use]
     pub fn summary(&self, quantity: DrawnQuantity) -> DrawsSummary {
         self.draws().summary(self.columns.column(quantity))

@@ -30,7 +30,7 @@ pub struct Draws<'a> {
 }
 
 impl<'a> Draws<'a> {
-    /// Without weights that are as many as the draws, all statistics are NaN.
+    /// With a number of weights other than that of the draws, all statistics are NaN.
     pub(crate) fn new(islands: &'a [Range<usize>], weights: Option<&'a [f64]>) -> Self {
         let draws = islands.last().map_or(0, |island| island.end);
         Self { islands, weights: weights.map(|weights| if weights.len() == draws { weights } else { &[] }) }
@@ -138,7 +138,7 @@ impl<'a> Draws<'a> {
     }
 }
 
-/// The number of a draw, NaN if it has none.
+/// The value of a draw; NaN beyond the end of the column.
 fn at(column: &[f64], draw: usize) -> f64 {
     column.get(draw).copied().unwrap_or(f64::NAN)
 }

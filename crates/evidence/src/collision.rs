@@ -141,7 +141,7 @@ pub enum Speeds<N = Number> {
     Together {
         /// (–) ln c, c = |v₁ − v₂| (m/s) the relative speed of the CGs.
         ln_relative: N,
-        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below 0 vehicle 2 stands, above π/2 vehicle 1.
+        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below 0 vehicle 2 is at rest, above π/2 vehicle 1.
         split: N,
     },
     /// The same, where one vehicle has a speed within limits above 0. For any φ, ln c and ln v differ by a
@@ -169,17 +169,17 @@ impl Speeds {
         Distribution::uniform(ln(slowest), ln(fastest))
     }
 
-    /// The distribution of φ if only the probability (–) that each vehicle stood is known.
+    /// The distribution of φ if all that is known is the probability (–) that each vehicle was at rest.
     ///
     /// # Errors
-    /// If one of the vehicles certainly stood, or a probability is negative.
+    /// If a vehicle was certainly at rest, or a probability is negative.
     pub fn split_with_standing(stood: [f64; 2]) -> Result<Distribution, InvalidDistribution> {
         let [above, below] = standing(stood);
         Distribution::uniform(-below, FRAC_PI_2 + above)
     }
 
-    /// The same if a vehicle moved with this speed (m/s) at least: without the φ that only a relative speed
-    /// beyond all that are considered has.
+    /// The same if a vehicle moved at `least` (m/s) or faster: without the angles φ that would need a
+    /// relative speed above all that are considered.
     ///
     /// # Errors
     /// As [`split_with_standing`](Self::split_with_standing), or if the speed is not above 0.
@@ -251,7 +251,7 @@ fn standing(stood: [f64; 2]) -> [f64; 2] {
     stood.map(|stood| FRAC_PI_2 * stood / moved)
 }
 
-/// sin φ and cos φ, with the stops at both ends.
+/// sin φ and cos φ, with φ limited to 0 and π/2.
 #[inline(always)]
 fn shares(split: f64) -> (f64, f64) {
     match split {
@@ -468,7 +468,7 @@ pub struct MeasuredSpeed {
     pub value: f64,
     /// (–) standard deviation of the proportional part, which is that of the logarithm.
     pub ln_sd: f64,
-    /// (m/s) standard deviation of the error for a standing vehicle.
+    /// (m/s) standard deviation of the error at zero speed.
     pub least: f64,
 }
 

@@ -47,8 +47,9 @@ pub enum EnergyMethod {
 }
 
 /// (–) bias, error shared by both vehicles, and own error of a stiffness given by the analyst. No bias was
-/// ever fitted to such; 0.40 is the remaining error between fronts in the field with the stiffness of each
-/// car separated ([`FITTED`]), and with 0.30 it gives the 0.50 of RICSAC, whose stiffnesses were given.
+/// ever fitted to such a stiffness; 0.40 is the remaining error between fronts in the field with the
+/// stiffness of each car separated ([`FITTED`]), and with 0.30 it gives the 0.50 of RICSAC, whose stiffnesses
+/// were given.
 const COEFFICIENTS: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.40, own_ln_sd: 0.30 };
 /// (–) the same for a test of this car: CRASH3's error was 13 % in ΔV, 26 % in energy, in 22 car-to-car tests
 /// measured in a laboratory (Lenard and others, 2000).
@@ -160,8 +161,8 @@ pub struct FigureErrors {
     /// rear and for a side; b₁ of sides and of rears, relative to that of fronts; the spread of b₁ between
     /// vehicles; b₀ of fronts and rears, and of sides.
     pub covariance: [[f64; FIGURES]; FIGURES],
-    /// (–) standard error of ln of the median severity, and of ln of the factor for two fronts: 0.47/√n of
-    /// the 287 collisions and of the 50 of two fronts from which they are.
+    /// (–) standard error of ln of the median severity, and of ln of the factor for two fronts: 0.47/√n, for
+    /// the 287 collisions and for the 50 of two fronts that gave them.
     pub severity: [f64; 2],
     /// (–) standard error of ln of the ratio of the crush energy of a side to that of a front or rear.
     pub side_crush: f64,
@@ -285,11 +286,11 @@ fn kind(hit: &[DamagedSide]) -> usize {
     hit.iter().max().map_or(0, |damage| *damage as usize)
 }
 
-/// (kg, m) mass and width to which the stiffness of the fleet refers.
+/// (kg, m) mass and width that the stiffness of the fleet refers to.
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
-    /// The same for collisions in each of which somebody suffered an injury of this risk.
+    /// The same for collisions selected for an injury with this risk: somebody suffered it in each of them.
     #[must_use]
     pub fn of_injured(mut self, injury: Option<InjuryRisk>) -> Self {
         self.severity.injury = injury;

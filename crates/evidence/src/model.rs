@@ -548,7 +548,7 @@ impl MeasuredSpeed {
     fn error(&self, speed: f64) -> Error {
         let Self { value, ln_sd, least } = *self;
         if least <= 0.0 && speed <= 0.0 {
-            // The speed of a vehicle that stands or moves backward has no logarithm.
+            // The speed of a vehicle at rest, or moving backward, has no logarithm.
             Error { potential: f64::NEG_INFINITY, ..Error::NONE }
         } else if ln_sd > 0.0 {
             Error::normal(relative(value, speed, ln_sd, least), ln_sd)

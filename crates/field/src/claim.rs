@@ -71,8 +71,8 @@ pub struct ClaimGroup {
     pub figures: Figures,
     /// (–) share of the recorders inside the 95 % intervals, with its standard error.
     pub coverage95: Option<[f64; 2]>,
-    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times the distance by which they
-    /// miss (Gneiting & Raftery 2007, equation 43).
+    /// (m/s) mean interval score of the 95 % intervals: their width, plus 40 times the distance to a recorded
+    /// value outside (Gneiting & Raftery 2007, equation 43).
     pub interval_score: Option<f64>,
 }
 
@@ -83,7 +83,7 @@ pub struct Claims {
     pub columns: ClaimColumns,
     /// Number of pairs of the file.
     pub pairs: usize,
-    /// Number of vehicles with a recorder about which the program claims nothing.
+    /// Number of vehicles that have a recorder but no claim of the program.
     pub unclaimed: usize,
     /// Each claim that is judged.
     pub judged: Vec<JudgedClaim>,

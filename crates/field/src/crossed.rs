@@ -12,8 +12,8 @@ use real::{Real, principal_angle};
 
 use crate::pair::{Pair, PairVehicle};
 
-/// (–) likelihood ratio of exchanged to unexchanged records from which they are doubted: as large as if one
-/// of a hundred recorders had its records exchanged.
+/// (–) likelihood ratio of exchanged to unexchanged records that makes them doubtful: as large as if one of a
+/// hundred recorders had its records exchanged.
 const DOUBTFUL: f64 = 100.0;
 
 /// Both parts of a ΔV that is large enough to be relied on: its size (m/s) and the direction from which the

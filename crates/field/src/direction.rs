@@ -20,13 +20,13 @@ pub struct DirectionFit {
 const ENDS: [f64; 2] = [0.005, 1.0];
 /// Draws of the error of a PDOF: at the middles of equal shares of probability.
 const SHARES: usize = 400;
-/// Steps of the search, each of which shortens the interval by a third.
+/// Steps of the search; each shortens the interval by a third.
 const STEPS: usize = 60;
 /// (–) step of the second derivative with respect to the logarithm of the scale.
 const STEP: f64 = 0.05;
 
-/// The difference (rad) between the recorder's direction and the coded PDOF, and the factor by which their
-/// errors are wider.
+/// The difference (rad) between the recorder's direction and the coded PDOF, and the factor on the scale of
+/// both errors.
 struct Apart {
     apart: f64,
     factor: f64,

@@ -19,7 +19,7 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
-    /// A column is there twice.
+    /// A column appears twice.
     #[error("the column {column} appears twice: rename or delete the one that is not meant")]
     ColumnTwice {
         /// Its name.

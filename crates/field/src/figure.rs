@@ -6,7 +6,7 @@ use real::elementary::{exp, ln};
 /// A figure that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
-    /// (–) by how much ln of the crush energy exceeds that of the energy absorbed in the impact.
+    /// (–) mean excess of ln of the crush energy over ln of the energy absorbed in the impact.
     Bias,
     /// (–) its spread between fronts.
     SpreadOfFronts,
@@ -26,7 +26,7 @@ pub enum Figure {
     NoDamageOfSides,
     /// (–) scale of the error of ln of a recorder's ΔV, including that of its mass.
     RecorderScale,
-    /// (–) by how much ln of the crush energy exceeds that of the energy absorbed in the impact with a fixed
+    /// (–) mean excess of ln of the crush energy over ln of the energy absorbed in the impact with a fixed
     /// object.
     BiasOfObjects,
     /// (–) its spread.

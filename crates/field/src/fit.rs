@@ -77,7 +77,7 @@ struct Drawn<'a, C> {
     draws: Vec<Draw>,
 }
 
-/// The parts of an impact on whose likelihood the figures depend: nothing else depends on them.
+/// The parts of an impact on which the likelihood of the figures depends.
 struct Draw {
     /// (J)
     taken: f64,
@@ -457,8 +457,8 @@ fn settled<'a, C: Crash>(
     Ok((likelihood.fit(&by)?, likelihood))
 }
 
-/// The fit of all pairs, and the fits without the crashes of each of `folds` folds, of which there are at
-/// least two. The fold of a crash is its position in the file, counted by crash, modulo `folds`.
+/// The fit of all pairs, and for each of `folds` folds (at least two) the fit without the crashes of that
+/// fold. The fold of a crash is its position in the file, counted by crash, modulo `folds`.
 ///
 /// # Errors
 /// As [`fit`].

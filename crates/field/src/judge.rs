@@ -17,7 +17,7 @@ use crate::pair::Truth;
 /// Levels of the judged intervals.
 pub const LEVELS: [f64; 3] = [0.5, 0.8, 0.95];
 
-/// Maximum factor by which the particles of a pair are increased.
+/// Maximum factor on the number of particles of a pair.
 const MOST_TIMES: usize = 4;
 
 /// Settings of the judgement.
@@ -54,7 +54,7 @@ pub struct Judged {
     pub median: f64,
     /// (m/s) ends of the intervals of the [`LEVELS`].
     pub intervals: [[f64; 2]; 3],
-    /// (–) probability that it expects below the truth.
+    /// (–) probability that the estimate gives to values below the truth.
     pub below: f64,
     /// (m/s) continuous ranked probability score: ∫ (F − 1{x ≥ truth})² dx.
     pub crps: f64,

@@ -208,8 +208,8 @@ impl RecordedPair {
         .collect()
     }
 
-    /// The collision whose ΔV of the vehicles `given`, and speeds of the vehicles `with_speed`, are evidence,
-    /// with a part of the evidence exact.
+    /// The collision with the ΔV of the vehicles `given` and the speeds of the vehicles `with_speed` as
+    /// evidence, and with one part of the evidence exact.
     fn collision(
         &self,
         fitted: &Fitted,
@@ -323,7 +323,7 @@ pub fn judge_recorders(
         };
         let doubted = pair.doubted();
         if !doubted.is_empty() {
-            // The speed of a record of another impact is not that before this one, either.
+            // A record of another impact does not have the speed before this one, either.
             found.doubted.extend(doubted);
             continue;
         }

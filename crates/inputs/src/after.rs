@@ -179,7 +179,7 @@ impl<T> PhaseForm<T> {
         self.speed.is_some() && self.given() == 3
     }
 
-    /// The same on other numbers, which come in the order of the fields.
+    /// The same with other numbers; `of` is called in the order of the fields.
     pub fn map<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PhaseForm<U> {
         let Self { distance, time, speed, acceleration } = self;
         PhaseForm {

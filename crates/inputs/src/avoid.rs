@@ -25,11 +25,11 @@ pub const SWELLS: [(&str, Swell); 3] =
 /// Whether the collision was avoidable: what the driver of one vehicle could have done.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Avoid<T = f64> {
-    /// The vehicle whose driver is asked about; vehicle 1 if absent.
+    /// The vehicle whose driver the question is about; vehicle 1 if absent.
     pub vehicle: Option<VehicleId>,
     /// (m/s) its speed at the reaction demand.
     pub speed: Option<Sourced<T>>,
-    /// (m/s) the speed for which it is asked, such as the limit.
+    /// (m/s) the speed to ask about, such as the speed limit.
     pub limit: Option<Sourced<T>>,
     /// (s) from the demand to the first effect of the brakes.
     pub reaction_time: Option<Sourced<T>>,
@@ -41,42 +41,43 @@ pub struct Avoid<T = f64> {
     pub deceleration: Option<Sourced<T>>,
     /// Where or when the danger could first be recognized.
     pub demand: Option<GivenDemand<T>>,
-    /// Why the demand was there.
+    /// The reason for the demand.
     pub demand_reason: Option<Text>,
-    /// The rest of the other party's way out of the danger zone.
+    /// What remains of the other party's path out of the danger zone.
     pub clear: Option<Clear<T>>,
     /// What the other party is.
     pub other_party: Option<OtherParty>,
     /// Whether the vehicle is known not to have braked before the impact.
     pub unbraked: bool,
-    /// From where the driver looks at what, where obstacles hide it.
+    /// The line of sight, if there are obstacles.
     pub sight: GivenSight<T>,
     /// What hides the other party.
     pub obstacles: Vec<Obstacle>,
 }
 
-/// From where the driver looks at what: `[avoid.sight]`. All places are in the coordinates of the scene.
+/// The driver's line of sight to the other party: `[avoid.sight]`. All places are in the coordinates of the
+/// scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenSight<T = f64> {
     /// The driver's eye at the impact; the position of the vehicle if absent.
     pub eye: Option<Place<T>>,
-    /// (rad) the direction of the vehicle's way to the impact; its heading if absent.
+    /// (rad) direction of the vehicle's approach; its heading if absent.
     pub heading: Option<Sourced<T>>,
-    /// What the driver sees of the other party, at the impact; that one's position if absent.
+    /// The point of the other party that the driver sees, at the impact; the other party's position if
+    /// absent.
     pub point: Option<Place<T>>,
-    /// (rad) the direction of the other party's way to the impact; its heading if absent.
+    /// (rad) direction of the other party's approach; its heading if absent.
     pub other_heading: Option<Sourced<T>>,
-    /// (m/s) the other party's speed on that way; that of the demand, of `clear` or of its vehicle if absent.
+    /// (m/s) speed of that approach; that of the demand, of `clear` or of its vehicle if absent.
     pub other_speed: Option<Sourced<T>>,
-    /// Points of the path of the driver's eye to the impact, in their order, in place of a heading. They are
-    /// exact.
+    /// Points of the path of the driver's eye to the impact, in order, in place of a heading. They are exact.
     pub path: Vec<Place>,
-    /// The same of the other party.
+    /// The same for the other party.
     pub other_path: Vec<Place>,
 }
 
 impl<T> GivenSight<T> {
-    /// Whether nothing of it is given.
+    /// Whether the case gives none of it.
     #[must_use]
     pub fn is_absent(&self) -> bool {
         let Self { eye, heading, point, other_heading, other_speed, path, other_path } = self;
@@ -90,35 +91,35 @@ impl<T> GivenSight<T> {
 pub struct Obstacle {
     /// Its name, such as "parked van".
     pub name: Option<Text>,
-    /// Where its corners come from.
+    /// The source of its corners.
     pub source: Option<Text>,
     /// Three or more corners in their order. They are exact.
     pub polygon: Vec<Place>,
 }
 
-/// A number with its unit, and where it comes from.
+/// A number with its unit and its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sourced<T = f64> {
     /// The number.
     pub quantity: Quantity<T>,
-    /// Where it comes from.
+    /// Its source.
     pub source: Option<Text>,
 }
 
-/// Where or when the danger could first be recognized, by numbers of the type `N`.
+/// Where or when the danger could first be recognized, in numbers of type `N`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReactionDemand<N> {
     /// (m) distance of the vehicle before the impact.
     Distance(N),
     /// (s) time before the impact.
     Time(N),
-    /// The time that the other party took to the impact.
+    /// The time of the other party's approach.
     Other(PartyApproach<N>),
-    /// Since when no obstacle has hidden the other party.
+    /// The moment from which no obstacle hides the other party.
     Sight,
 }
 
-/// How the other party came to the impact: at constant speed, or from a stop.
+/// The approach of the other party: at constant speed, or from a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartyApproach<N> {
     /// (m) its distance to the place of the impact.
@@ -133,9 +134,9 @@ pub struct PartyApproach<N> {
 pub type GivenDemand<T = f64> = ReactionDemand<Sourced<T>>;
 /// A [`ReactionDemand`] without the sources of its numbers.
 pub type DemandForm<T = f64> = ReactionDemand<Quantity<T>>;
-/// An [`PartyApproach`] as given.
+/// A [`PartyApproach`] as given.
 pub type OtherApproach<T = f64> = PartyApproach<Sourced<T>>;
-/// An [`PartyApproach`] without the sources of its numbers.
+/// A [`PartyApproach`] without the sources of its numbers.
 pub type OtherForm<T = f64> = PartyApproach<Quantity<T>>;
 
 impl<N> ReactionDemand<N> {
@@ -161,7 +162,7 @@ impl<N> ReactionDemand<N> {
 pub struct Clear<T = f64> {
     /// How far it still has to go.
     pub way: GivenWayOut<T>,
-    /// (m/s) its speed. If absent, it goes on as it came, or with the speed of its vehicle.
+    /// (m/s) its speed. If absent, the speed of its approach, or that of its vehicle.
     pub speed: Option<Sourced<T>>,
 }
 
@@ -187,14 +188,14 @@ pub enum OtherParty {
 
 words!(OtherParty: "pedestrian" Pedestrian, "cyclist" Cyclist, "vehicle" Vehicle);
 
-/// The numbers of the question whether the collision was avoidable, on any numbers.
+/// The inputs of the question whether the collision was avoidable, in numbers of any type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AvoidForm<T = f64> {
-    /// The vehicle whose driver is asked about.
+    /// The vehicle whose driver the question is about.
     pub vehicle: VehicleId,
     /// Its speed.
     pub speed: SpeedForm<T>,
-    /// (m/s) the speed for which it is asked.
+    /// (m/s) the speed to ask about.
     pub limit: Quantity<T>,
     /// (s) from the demand to the first effect of the brakes.
     pub reaction_time: Quantity<T>,
@@ -208,26 +209,26 @@ pub struct AvoidForm<T = f64> {
     pub demand: DemandForm<T>,
     /// The other party's way out of the danger zone.
     pub clear: Option<ClearForm<T>>,
-    /// How the vehicle came to the impact.
+    /// The vehicle's approach to the impact.
     pub braking: BrakingForm<T>,
-    /// From where the driver looks at what, if there are obstacles.
+    /// The line of sight, if there are obstacles.
     pub sight: Option<SightForm<T>>,
-    /// How the other vehicle moved, if it did so along the same line.
+    /// The other vehicle's approach, if it moved along the same line.
     pub same_line: Option<SameLineForm<T>>,
 }
 
-/// What the central values of a case tell of the question, whatever its numbers are.
+/// The part of the question that the central values of a case settle for all samples.
 #[derive(Clone, Debug, Default)]
 pub struct AvoidBasis {
-    /// What the recorders stored before the impact: that of the vehicle asked about, and of the other.
+    /// The approaches that recorders stored: that of the vehicle asked about, and that of the other.
     pub(crate) recorded: [Option<Arc<SampledApproach>>; 2],
-    /// Whether the recorder of the other tells its speed at the impact, where its table does not.
+    /// Whether the other vehicle's recorder gives its speed at the impact, and its table does not.
     pub(crate) is_recorded: bool,
     /// How the other vehicle moved along the line of this one, if it did.
     pub(crate) along: Option<Along>,
 }
 
-/// How another vehicle moves along the line of the one that is asked about.
+/// The other vehicle's motion along the line of the vehicle asked about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// `"ahead"`: in the same direction.
@@ -238,30 +239,31 @@ pub enum Along {
 
 words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 
-/// How far from the line of one vehicle another one moves.
+/// A vehicle's direction of travel relative to the line of the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OffLine {
     /// In which direction along it.
     pub along: Along,
-    /// (rad) the angle between both lines, up to a right one.
+    /// (rad) the angle between the two lines, at most π/2.
     pub angle: f64,
 }
 
-/// How the other party came to the impact.
+/// The approach of the other party.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherMotionForm<T = f64> {
-    /// (m/s) its speed at the impact; `None` where its phases, its recorder or the rest of the case tell it.
+    /// (m/s) its speed at the impact; `None` if its phases, its recorder or the rest of the case give it.
     pub speed: Option<Quantity<T>>,
-    /// How it came.
+    /// How it moved before.
     pub braking: BrakingForm<T>,
 }
 
 impl OtherMotionForm {
-    /// (m/s) the speed at the impact, with that which the rest of the case tells; `None` if it is not known.
-    /// 0 stands for phases that begin with a known speed, as they lead to that at the impact.
+    /// (m/s) the speed at the impact: as given, or else `sought`, the speed by the rest of the case; `None`
+    /// if it is not known. It is 0 for phases that begin with a known speed, which lead to the speed at the
+    /// impact.
     #[must_use]
     pub fn speed_at_impact(&self, sought: Option<f64>) -> Option<f64> {
-        // A solution that lets it move backward says that it stood; a speed that is given says what it says.
+        // A solution in which it moves backward means that it was at rest; a given speed is not changed.
         let known = self.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
         known.or(self.braking.leads_on().then_some(0.0))
     }
@@ -276,7 +278,7 @@ impl<T: Copy> OtherMotionForm<T> {
     }
 }
 
-/// How the other vehicle came to the impact along the line of the one that is asked about.
+/// The other vehicle's approach along the line of the vehicle asked about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SameLineForm<T = f64> {
     /// In which direction.
@@ -285,16 +287,16 @@ pub struct SameLineForm<T = f64> {
     pub motion: OtherMotionForm<T>,
 }
 
-/// From where the driver looks at what, with every number that this needs.
+/// The line of sight, with every number that it needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SightForm<T = f64> {
     /// The driver's eye at the impact.
     pub eye: PlaceForm<T>,
-    /// The path of the eye to there.
+    /// The path of the eye to that place.
     pub path: PathForm<T>,
-    /// What the driver sees of the other party, at the impact.
+    /// The point of the other party that the driver sees, at the impact.
     pub point: PlaceForm<T>,
-    /// The path of the other party to there.
+    /// The path of that point.
     pub other_path: PathForm<T>,
     /// How the other party moves on it.
     pub other: OtherMotionForm<T>,
@@ -318,7 +320,7 @@ impl<T: Copy> PathForm<T> {
     }
 }
 
-/// A place at the impact, and how it is known.
+/// A place at the impact, and its source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlaceForm<T = f64> {
     /// `[avoid.sight]` gives it.
@@ -351,16 +353,16 @@ impl<T: Copy> PlaceForm<T> {
     }
 }
 
-/// How the speed of the vehicle is known.
+/// The source of the vehicle's speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpeedForm<T = f64> {
     /// (m/s) at the reaction demand.
     AtDemand(Quantity<T>),
     /// (m/s) just before the impact.
     AtImpact(Quantity<T>),
-    /// Just before the impact, where the phases before it lead.
+    /// Just before the impact, as the phases before it determine it.
     ByPhases,
-    /// Just before the impact, where the rest of the case tells it.
+    /// Just before the impact, as the rest of the case determines it.
     Sought,
 }
 
@@ -384,7 +386,7 @@ impl OtherForm {
     }
 }
 
-/// How a vehicle came to the impact.
+/// The motion of a vehicle before the impact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BrakingForm<T = f64> {
     /// Nothing is known of it.
@@ -404,13 +406,13 @@ pub enum BrakingForm<T = f64> {
     Recorded {
         /// The samples.
         approach: Arc<SampledApproach>,
-        /// By how many standard deviations their speeds err, of what the speed at the impact leaves open.
+        /// Error of their speeds, in standard deviations of what the speed at the impact leaves open.
         error: f64,
     },
 }
 
 impl<T> AvoidForm<T> {
-    /// Whether the table of a recorder says how a vehicle came.
+    /// Whether the table of a recorder gives any of the approaches.
     #[must_use]
     pub fn is_recorded(&self) -> bool {
         let line = self.same_line.as_ref().map(|line| &line.motion.braking);
@@ -419,7 +421,7 @@ impl<T> AvoidForm<T> {
         ways.any(|way| matches!(way, BrakingForm::Recorded { .. }))
     }
 
-    /// Whether the speed of the other vehicle at the impact is needed, and the numbers do not tell it.
+    /// Whether the other vehicle's speed at the impact is needed and not among the numbers.
     #[must_use]
     pub fn lacks_other_speed(&self) -> bool {
         let line = self.same_line.as_ref().map(|line| &line.motion);
@@ -427,7 +429,7 @@ impl<T> AvoidForm<T> {
         line.into_iter().chain(sight).any(|motion| motion.speed.is_none())
     }
 
-    /// By how many standard deviations the recorded speeds of the vehicle err, and those of the other.
+    /// Sets the errors of the recorded speeds, in standard deviations: of the vehicle, and of the other.
     pub fn with_errors(mut self, [own, other]: [f64; 2]) -> Self {
         let line = self.same_line.as_mut().map(|line| (&mut line.motion.braking, other));
         let sight = self.sight.as_mut().map(|sight| (&mut sight.other.braking, other));
@@ -441,7 +443,7 @@ impl<T> AvoidForm<T> {
 }
 
 impl<T: Copy> AvoidForm<T> {
-    /// The same on other numbers, which come in the order of the fields.
+    /// The same with other numbers; `number` is called in the order of the fields.
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> AvoidForm<U> {
         let mut of = |quantity: Quantity<T>| quantity.map(&mut number);
         AvoidForm {
@@ -475,7 +477,7 @@ impl<T: Copy> AvoidForm<T> {
 }
 
 impl<T> BrakingForm<T> {
-    /// Whether its phases begin with a known speed, and so tell that at the impact.
+    /// Whether its phases begin with a known speed, and so determine the speed at the impact.
     #[must_use]
     pub fn leads_on(&self) -> bool {
         matches!(self, Self::Phases(phases) if phases.first().is_some_and(PhaseForm::leads_on))

@@ -16,7 +16,7 @@ pub enum Basis<T = f64> {
     /// The work of the normal impulse that the impact dissipates, W_n: the method of SAE 980025.
     #[default]
     Dissipated,
-    /// The work up to maximum engagement, part of which restitution returns.
+    /// The work up to maximum engagement; restitution returns part of it.
     Absorbed,
     /// (–) λ, from 0 to 1: W_n + λ W_t, with a share of the work of the tangential impulse.
     TangentialShare(T),

@@ -33,7 +33,7 @@ pub struct Case<T = f64> {
     pub report: ReportHead,
     /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
-    /// `contact` of `[scene]`: the point at which the impulse acted, in survey coordinates.
+    /// `contact` of `[scene]`: the point where the impulse acted, in survey coordinates.
     pub scene_contact: Option<Place<T>>,
     /// `site_plan` of `[scene]`: the background of drawings of the motion.
     pub site_plan: Option<GivenSitePlan>,
@@ -62,7 +62,7 @@ pub struct Case<T = f64> {
     pub left_out: LeftOut,
 }
 
-/// The data on the making of a report, for its head.
+/// Data about the report, for its head.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReportHead {
     /// Who made the analysis.
@@ -147,16 +147,16 @@ impl<T: Real> Case<T> {
         self.vehicles.each_ref().map(|vehicle| heading(vehicle).map(|heading| self.axes.lateral(heading)))
     }
 
-    /// (rad) the direction in which a vehicle travels before the impact and along which its speed counts, in
-    /// the axes of the engine; `None` where it is that of the heading.
+    /// (rad) a vehicle's direction of travel before the impact, along which its speed is measured, in the
+    /// axes of the engine; `None` if it is the heading.
     #[must_use]
     pub fn course(&self, vehicle: VehicleId) -> Option<T> {
         let heading = self.headings()[vehicle.index()]?;
         self.course_form(vehicle)?.rad(self.axes, heading)
     }
 
-    /// (rad) the directions in which the vehicles travel before the impact, in the axes of the engine: those
-    /// of their headings where there is no sideslip.
+    /// (rad) the vehicles' directions of travel before the impact, in the axes of the engine: their headings
+    /// where there is no sideslip.
     #[must_use]
     pub fn courses(&self) -> [Option<T>; 2] {
         let headings = self.headings();

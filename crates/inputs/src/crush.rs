@@ -152,13 +152,13 @@ pub enum StiffnessLine<T = f64> {
 pub struct GivenTest<T = f64> {
     /// `mass` or `weight` of the tested car.
     pub mass: Mass<T>,
-    /// (m/s) against the barrier.
+    /// (m/s) its impact speed.
     pub speed: Quantity<T>,
-    /// (m) of the damage.
+    /// (m) width of the damage.
     pub width: Quantity<T>,
     /// (m) residual crush at equally spaced stations.
     pub depths: Vec<Quantity<T>>,
-    /// (m/s) at which no crush would have remained.
+    /// (m/s) speed that would have left no crush.
     pub no_damage_speed: Quantity<T>,
     /// How the line is fitted to the test.
     pub fit: Fit,
@@ -175,12 +175,12 @@ pub enum Fit {
 }
 
 impl Fit {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
 }
 
 impl<T: Copy> StiffnessForm<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessForm<U> {
         match self {
@@ -195,7 +195,7 @@ impl<T: Copy> StiffnessForm<T> {
 }
 
 impl<T: Copy> GivenTest<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> GivenTest<U> {
         let Self { mass, speed, width, depths, no_damage_speed, fit } = self;
@@ -211,7 +211,7 @@ impl<T: Copy> GivenTest<T> {
 }
 
 impl<T: Copy> StiffnessLine<T> {
-    /// The same with other numbers, each asked for once.
+    /// The same with other numbers; `number` is called once for each.
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessLine<U> {

@@ -64,7 +64,7 @@ impl<T> ForceData<T> {
     pub const UNKNOWN: Self = Self { pdof: None, pdof_follows: false, pdof_is_hour: false, moment_arm: None };
 }
 
-/// A damage of which nothing but the energy is known.
+/// A damage known only by its energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyData<T = f64> {
     /// (m/s) energy equivalent speed; `None` without damage.
@@ -111,12 +111,12 @@ pub enum CrushEvidence<T = f64> {
     Measured {
         /// Depths along the side.
         profile: Profile<T>,
-        /// What the side resisted with.
+        /// The stiffness of the side.
         structure: SideStiffness<T>,
     },
     /// It is to be inferred from the force on the other vehicle.
     ForceBalance {
-        /// What the side resisted with.
+        /// The stiffness of the side.
         stiffness: Stiffness<T>,
         /// The width of the damage.
         width: InferredWidth<T>,

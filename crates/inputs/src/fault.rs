@@ -57,7 +57,7 @@ impl Fault {
         }
     }
 
-    /// Whether a reconstruction lacks how a vehicle left the impact.
+    /// Whether a reconstruction lacks data on how a vehicle left the impact.
     #[must_use]
     pub fn lacks_departure(&self) -> bool {
         matches!(self.kind, FaultKind::Missing { needed_for: Purpose::Reconstruct })

@@ -507,8 +507,7 @@ impl<T: Real> CrushForm<'_, T> {
 }
 
 impl<N: Copy> ImpactForm<'_, N> {
-    /// Every number on which the impact depends, and the numbers of its vehicles that certainly change
-    /// nothing.
+    /// Every number that the impact depends on, and those of its vehicles that certainly change nothing.
     #[must_use]
     pub fn numbers(&self) -> Vec<N> {
         let Self { axes: _, vehicles, crush_plane, law, basis } = self;

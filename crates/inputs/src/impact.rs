@@ -135,7 +135,7 @@ impl<T: Copy> ImpactLaw<T> {
 }
 
 impl<T: Copy> ImpactLaw<T> {
-    /// The same law with other numbers, each asked for once.
+    /// The same law with other numbers; `number` is called once for each.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> ImpactLaw<U> {
         match self {

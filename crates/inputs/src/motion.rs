@@ -199,8 +199,8 @@ pub struct TwoSpeedInput<T = f64> {
     pub yaw_rates: [T; 2],
     /// The data of each vehicle.
     pub vehicles: [VehicleData<T>; 2],
-    /// The velocity after the impact of each vehicle for which the case gives it. Every other moving vehicle
-    /// has its rest position in `motion`, or is locked to one with a velocity.
+    /// The velocity after the impact of each vehicle, if the case gives it. Every other moving vehicle has
+    /// its rest position in `motion`, or is locked to one with a velocity.
     pub departures: [Option<Departure<T>>; 2],
     /// Whether the vehicles left the impact locked together.
     pub locked_together: bool,

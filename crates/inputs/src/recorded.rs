@@ -98,7 +98,7 @@ pub trait OfTables: Sized {
     fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal>;
 }
 
-/// The tables of a text, of these rows if it is a long table.
+/// The tables of a text; of a long table, those of these rows.
 fn of_text(text: &str, rows: Option<&Text>) -> Result<Vec<RecorderTable>, SeriesRefusal> {
     read_rows(text, rows.map_or("", Text::as_given)).map_err(SeriesRefusal::Text)
 }
@@ -120,7 +120,7 @@ impl SeriesSource {
     }
 }
 
-/// The refusal of tables of which none is of the kind that is wanted.
+/// The refusal of tables that are all of another kind than the wanted one.
 fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
     let headings: Vec<String> = tables.iter().map(RecorderTable::headings).collect();
     let found = if headings.is_empty() { "nothing".to_owned() } else { headings.join("; ") };
@@ -216,11 +216,11 @@ impl OfTables for CrashPulse {
 pub struct GivenSpeedErrors {
     /// (m/s) step in which speeds are stored.
     pub step: Option<Quantity>,
-    /// (%) fraction by which a speed reads low while the wheels roll.
+    /// (%) fraction that a speed reads low while the wheels roll.
     pub steady_low: Option<f64>,
     /// (%) standard deviation of that share.
     pub steady_sd: Option<f64>,
-    /// (%) standard deviation of the share by which worn or other tyres change a speed.
+    /// (%) standard deviation of the fraction that worn or different tyres change a speed.
     pub tyre_sd: Option<f64>,
     /// (m/s) how much a speed reads low in hard braking.
     pub slip_low: Option<Quantity>,

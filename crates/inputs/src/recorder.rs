@@ -64,7 +64,7 @@ impl OtherImpact {
     /// `when`, with its words.
     pub const WHEN: [(&str, bool); 2] = [("before", false), ("after", true)];
 
-    /// The data by which records are distinguished.
+    /// The data of this impact that distinguish it in a record.
     #[must_use]
     pub fn known(&self) -> KnownImpact {
         let si = |of: &Option<Quantity>| of.as_ref().map(Quantity::si);
@@ -81,7 +81,8 @@ pub struct StoredRecord {
     pub since_previous: Option<Quantity>,
 }
 
-/// (m/s) 2 km/h: a slower vehicle stood or crawled, and the error of its speed is not a share of that speed.
+/// (m/s) 2 km/h: a slower vehicle was at rest or crawling, and the error of its speed is not proportional to
+/// it.
 const STOOD: f64 = 2.0 / 3.6;
 
 /// The speed at impact by a recorder.
@@ -114,8 +115,8 @@ impl RecordersDeltaV {
         (along * along + left * left).sqrt()
     }
 
-    /// (m/s) the part of another ΔV, along and to the left, in the direction of this one; zero if this one
-    /// is.
+    /// (m/s) the component of another ΔV, along and to the left, in the direction of this one; zero if this
+    /// one is zero.
     #[must_use]
     pub fn part_of(&self, [along, left]: [f64; 2]) -> f64 {
         let size = self.size();
@@ -151,15 +152,15 @@ impl Recorder {
         ImpactSpeed::of(self.before_impact()?, &self.speed_errors(ground)).ok()
     }
 
-    /// The errors of a stored speed with the defaults for what the case does not give; `ground` (–) is the
-    /// friction of the surface.
+    /// The errors of a stored speed, with the defaults for those that the case does not give; `ground` (–) is
+    /// the friction of the surface.
     #[must_use]
     pub fn speed_errors(&self, ground: Option<f64>) -> ImpactSpeedErrors {
         self.errors.errors(ground, self.before_impact())
     }
 
     /// The speed at impact: as given or, if it is not, by the table before the impact. Also `None` if the
-    /// vehicle stood or crawled according to the table.
+    /// vehicle was at rest or crawling according to the table.
     #[must_use]
     pub fn tells_speed(&self, ground: Option<f64>) -> Option<RecordersSpeed> {
         let given = self.speed_error.map(|percent| percent / 100.0);
@@ -171,9 +172,9 @@ impl Recorder {
         Some(RecordersSpeed { speed: found.mean, error, is_of_table: true })
     }
 
-    /// ΔV: as given or, if it is not, by the pulse if that ends within the record. The ΔV of a recorder away
-    /// from the centre of gravity is converted to there by the yaw rate after the impact less that `before`
-    /// it (rad/s, in the sense of the axes), if the case gives place and yaw rate.
+    /// ΔV: as given or, if it is not, by the pulse, provided that it ends within the record. If the case
+    /// gives the place of the recorder and the yaw rate after the impact, that rate less the one `before` the
+    /// impact (rad/s, in the sense of the axes) converts the pulse's ΔV to the centre of gravity.
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         self.delta_v(axes, before).filter(|(_, complete)| *complete).map(|(told, _)| told)
@@ -182,9 +183,9 @@ impl Recorder {
     /// A lower bound of ΔV, if the record does not contain all of it: because it ends before the impact does,
     /// or because the recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
     ///
-    /// Each stored component is a bound at the place of the recorder. The whole change of the yaw rate, which
-    /// the case gives, takes the bound to the centre of gravity; of a component whose sense this changes, it
-    /// leaves none but 0.
+    /// By a pulse, each stored component is a bound at the place of the recorder. The whole change of the yaw
+    /// rate, if the case gives it, converts the bound to the centre of gravity. A component whose sign this
+    /// changes is bounded by 0.
     #[must_use]
     pub fn least_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         let (told, _) = self.delta_v(axes, before).filter(|(_, complete)| !complete)?;
@@ -206,7 +207,7 @@ impl Recorder {
         Some(Self { at: self.at, errors: self.errors, ..stored })
     }
 
-    /// The data of its record by which impacts are distinguished, compared with this one; `before` as in
+    /// The data of its record that distinguish impacts, compared with this one; `before` as in
     /// [`tells_delta_v`](Self::tells_delta_v).
     #[must_use]
     pub fn event(&self, axes: Axes, before: f64, impact: &KnownImpact) -> EventRecord {
@@ -264,10 +265,10 @@ pub struct GivenEstimate {
     /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of the median of the field.
     pub delta_v_median: Option<Quantity>,
     /// (%) standard deviation of the error of crush energies as measures of the energy absorbed in the
-    /// impact, in place of the default for the method by which each was obtained.
+    /// impact, in place of the default for the method of each.
     pub crush_error: Option<f64>,
     /// (%) average ratio of the crush energy to the energy absorbed in the impact, in place of the default
-    /// for the method by which it was obtained.
+    /// for the method.
     pub crush_bias: Option<f64>,
     /// (%) part of the error of a computed rest position that is proportional to the path length.
     pub rest_error: Option<f64>,
@@ -275,7 +276,7 @@ pub struct GivenEstimate {
     pub rest_least_error: Option<Quantity>,
     /// (rad) error of a computed heading at rest.
     pub rest_heading_error: Option<Quantity>,
-    /// (%) probability, before the evidence, that a vehicle of unknown speed stood still.
+    /// (%) probability, before the evidence, that a vehicle of unknown speed was at rest.
     pub stood: Option<f64>,
 }
 
@@ -285,7 +286,7 @@ pub enum SeverityPrior {
     /// `"field"`: like that of collisions after which a vehicle was towed.
     #[default]
     Field,
-    /// `"serious-injury"`: like that of those of them in which somebody was seriously hurt.
+    /// `"serious-injury"`: like that of those among them in which somebody was seriously hurt.
     SeriousInjury,
     /// `"flat"`: any speed is as likely as any other.
     Flat,

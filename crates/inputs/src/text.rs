@@ -76,7 +76,7 @@ pub fn shown_lines(text: &str) -> String {
 
 /// Whether a character acts or hides instead of being read: a control character, a line or paragraph
 /// separator, one that changes the direction of writing (`Bidi_Control` of the Unicode Character Database),
-/// or an invisible one, with which two different names look the same (`Default_Ignorable_Code_Point`, the
+/// or an invisible one, which makes two different names look the same (`Default_Ignorable_Code_Point`, the
 /// braille blank and the anchors of annotations).
 ///
 /// The joiners of Persian, Hindi and emoji (U+200C, U+200D) and the variation selectors (U+FE00 to U+FE0F)

@@ -13,9 +13,9 @@ pub struct GivenUncertainty {
     pub shared: Vec<SharedError>,
 }
 
-/// An error that several numbers share, such as that of the tape with which they were all measured. Each
-/// sample draws it once: it is added to each of the numbers or, as a percentage, multiplies them, in addition
-/// to the range of each number.
+/// An error that several numbers share, such as that of the tape that measured them all. Each sample draws it
+/// once: it is added to each of the numbers or, as a percentage, multiplies them, in addition to the range of
+/// each number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SharedError {
     /// Its name.
@@ -47,7 +47,7 @@ impl SharedError {
     }
 }
 
-/// The key of the list of which a path is an element.
+/// The key of the list that contains the element at a path.
 #[must_use]
 pub fn list_of(path: &str) -> Option<&str> {
     Some(path.strip_suffix(']')?.rsplit_once('[')?.0)

@@ -14,9 +14,9 @@ use crate::vehicle::{ContactPoint, Outline};
 /// The path of the other party out of the danger zone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClearForm<T = f64> {
-    /// How far it still has to go.
+    /// The distance that remains.
     pub way: WayOutForm<T>,
-    /// How fast it goes on.
+    /// Its speed on the way.
     pub speed: ClearSpeedForm<T>,
 }
 
@@ -29,23 +29,23 @@ pub enum WayOutForm<T = f64> {
     Outlines(Box<OutlinesForm<T>>),
 }
 
-/// How fast the other party goes on.
+/// The speed of the other party on its way out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ClearSpeedForm<T = f64> {
-    /// (m/s) steadily.
+    /// (m/s) as given.
     Steady(Quantity<T>),
-    /// As fast as it came.
+    /// That of its approach.
     AsItCame,
-    /// With the speed to which the phases of its vehicle lead, which begin with a known one.
+    /// The speed that the phases of its vehicle lead to; they begin with a known speed.
     Phases(Vec<PhaseForm<T>>),
-    /// With the speed of its vehicle, which the rest of the case gives.
+    /// That of its vehicle, which the rest of the case gives.
     Sought,
 }
 
-/// Two vehicles seen from above at the impact, each of which travels along its heading.
+/// Two vehicles seen from above at the impact; each travels along its heading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutlinesForm<T = f64> {
-    /// (rad) the headings: of the vehicle whose driver is asked about, and of the other.
+    /// (rad) the headings: of the vehicle asked about, and of the other.
     pub headings: [Quantity<T>; 2],
     /// Their bodies.
     pub bodies: [Outline<T>; 2],
@@ -63,7 +63,7 @@ pub enum PlacesForm<T = f64> {
 }
 
 impl<T: Copy> ClearForm<T> {
-    /// The same on other numbers, which come in the order of the fields.
+    /// The same with other numbers; `of` is called in the order of the fields.
     pub(crate) fn map<U>(&self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> ClearForm<U> {
         let way = match &self.way {
             WayOutForm::Distance(distance) => WayOutForm::Distance(of(*distance)),
@@ -96,8 +96,8 @@ impl<T: Copy> ClearForm<T> {
 }
 
 impl OutlinesForm {
-    /// (m) how far the other vehicle goes straight on, or straight back, until its outline has left the strip
-    /// that the outline of the first sweeps; 0 if it is already out of it.
+    /// (m) how far the other vehicle travels straight on, or straight back, until its outline has left the
+    /// strip that the outline of the first sweeps; 0 if it is already outside.
     ///
     /// # Errors
     /// If both travel along one line, or a number is impossible.
@@ -126,7 +126,7 @@ impl OutlinesForm {
 }
 
 impl ClearForm {
-    /// (m) how far the other party still has to go, forward or backward.
+    /// (m) the distance that remains to the other party, forward or backward.
     ///
     /// # Errors
     /// As [`OutlinesForm::way_out`].

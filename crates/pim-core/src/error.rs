@@ -58,7 +58,7 @@ pub enum InvalidInput {
         /// (m/s) the speed that is not above it.
         value: f64,
     },
-    /// An acceleration that leads from one speed away from the other, or is zero between two speeds.
+    /// An acceleration with the wrong sign for a change of speed, or zero between two speeds.
     #[error(
         "an acceleration of {acceleration} m/s² does not lead from {from:.2} m/s to {to:.2} m/s; it must be positive where \
          the vehicle gains speed and negative where it loses speed"
@@ -71,7 +71,7 @@ pub enum InvalidInput {
         /// (m/s²) the acceleration.
         acceleration: f64,
     },
-    /// A stretch of constant acceleration that would begin backward.
+    /// A stretch of constant acceleration that would begin in reverse.
     #[error(
         "a stretch that ends at {end:.2} m/s would have gained more speed than that, so that it cannot have begun with \
          the vehicle standing or moving forward"
@@ -80,7 +80,7 @@ pub enum InvalidInput {
         /// (m/s) the speed where it ends.
         end: f64,
     },
-    /// A stretch of constant acceleration in which the vehicle would stop and back.
+    /// A stretch of constant acceleration in which the vehicle would stop and reverse.
     #[error(
         "a stretch that begins at {start:.2} m/s would lose more speed than that: the vehicle would stop before the stretch \
          ends; make the stretch shorter or the deceleration lower"

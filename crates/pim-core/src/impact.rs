@@ -33,7 +33,7 @@ pub struct Outcome<T = f64> {
     pub regime: Option<Regime>,
     /// μ = P_t/P_n.
     pub impulse_ratio: T,
-    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` if the surfaces slide so
+    /// μ_c: the ratio that makes the final tangential velocity at C zero. `None` if the surfaces slide so
     /// fast that no push could stop them, however rough they are.
     pub critical_impulse_ratio: Option<T>,
     /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C before impact.
@@ -111,7 +111,7 @@ pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
     direction(Vector2::new(-ahead, left))
 }
 
-/// (rad) by which rounding may leave a direction on the other side of the half turn.
+/// (rad) tolerance for a direction that rounding leaves on the other side of the half turn.
 const HALF_TURN_ROUNDING: f64 = 1e-12;
 
 /// (rad) angle of a vector from the x axis, in (−π, π]: that along −x is +π, on whichever side of it rounding

@@ -244,8 +244,8 @@ impl<T: Real> Law<T> {
     }
 
     /// The law that acts in an impact of this regime and impulse ratio. For a law with a friction limit, that
-    /// is the one [without a limit](Self::without_limit) if friction sufficed, else that of the
-    /// [ratio](Self::with_ratio) at which the surfaces slid. For any other law it is the law itself.
+    /// is the one [without a limit](Self::without_limit) if friction sufficed, else the one with the
+    /// [ratio](Self::with_ratio) of the sliding surfaces. For any other law it is the law itself.
     #[must_use]
     pub fn acting(&self, regime: Option<Regime>, impulse_ratio: T) -> Self {
         match (self.friction_limit(), regime) {

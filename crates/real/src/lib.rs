@@ -87,9 +87,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A real number, as the equations use it.
 ///
-/// Constants enter by `From<f64>` or stand as `f64` on the right of an operator. Angles are in radians.
-/// Nothing panics: an operation without an answer gives NaN, and every operation here passes NaN on to the
-/// result, where the caller turns it into an error.
+/// Constants enter by `From<f64>`, or as `f64` on the right of an operator. Angles are in radians. Nothing
+/// panics: an operation without an answer gives NaN, and every operation here passes NaN on to the result,
+/// where the caller turns it into an error.
 ///
 /// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop
 /// over samples is vectorised.

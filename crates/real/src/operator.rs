@@ -1,7 +1,7 @@
 //! The operators of numbers that carry others.
 
-/// An operator on two numbers, and on a number with an `f64` on its right: what it gives for the first, and
-/// what for the second.
+/// An operator on two numbers, and on a number with an `f64` on its right: the result for the first, and for
+/// the second.
 macro_rules! operator {
     (
         $(#[$attribute:meta])*

@@ -1,7 +1,7 @@
 //! Reading of types with an invariant.
 
-/// Reads a type with an invariant from these fields, by an expression that checks them and may fail with this
-/// error, so that the type itself does not depend on how it is read. The type has one parameter, `T: Real`.
+/// Reads a type with an invariant from these fields. An expression checks them and may fail with this error,
+/// so that the type itself does not depend on how it is read. The type has one parameter, `T: Real`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! read_as {

@@ -28,8 +28,8 @@ pub enum RootError {
     },
 }
 
-/// A root of `f` between `a` and `b`, at which `f` must have opposite signs; an end that is a root is
-/// returned at once.
+/// A root of `f` between `a` and `b`, where `f` must have opposite signs; an end that is a root is returned
+/// at once.
 ///
 /// Guarantee: the root stays bracketed throughout, and the answer lies within `tolerance`, plus four rounding
 /// units of its magnitude, of a change of sign. Every evaluation between the ends is passed to `observe` as

@@ -7,8 +7,8 @@ use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
 
-/// Two roots within this relative distance, one of which belongs to a law that does not act there, are the
-/// same root at the border of two laws.
+/// Two roots within this relative distance are the same root at the border of two laws if one of them belongs
+/// to a law that does not act there.
 const SAME: f64 = 1e-6;
 
 /// A law that does not act at its own root has a border there if the law that does act misses the value
@@ -49,11 +49,10 @@ impl<T: Real> Problem<T> {
 
     /// Like [`solve`](Problem::solve), but returns flags in place of an error, so that loops over many
     /// samples vectorise: the speed with the slowest approach from a closed form or a cubic with one root,
-    /// its impact, whether a collision can have it, and whether `solve` certainly has no answer, because no
-    /// push has the critical ratio, of which the law takes a fraction, at the only speed that gives the
-    /// crush energy. If the first flag is set, the answer has the same bits. If neither is, `solve` may
-    /// still find an answer: by a search, at a faster approach, or if rounding decides whether friction
-    /// suffices.
+    /// its impact, whether a collision can have it, and whether `solve` certainly has no answer, because the
+    /// law takes a fraction of the critical ratio and no push has that ratio at the only speed that gives the
+    /// crush energy. If the first flag is set, the answer has the same bits. If neither is, `solve` may still
+    /// find an answer: by a search, at a faster approach, or if rounding decides whether friction suffices.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_verdict(&self) -> (T, Outcome<T>, [bool; 2]) {
@@ -306,7 +305,7 @@ impl<T: Real> Quadratic<T> {
     }
 }
 
-/// The laws without a limit, one of which acts in any impact under a law with this friction limit.
+/// The laws without a limit; in any impact under a law with this friction limit, one of them acts.
 #[inline(always)]
 fn branches<T: Real>(law: &Law<T>, limit: T) -> [Law<T>; 3] {
     [law.without_limit(), law.with_ratio(-limit), law.with_ratio(limit)]

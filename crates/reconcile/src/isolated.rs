@@ -1,5 +1,5 @@
-//! The approach speeds at which W_n has the value sought, in a stretch of linear e in which signs alone
-//! isolate them.
+//! The approach speeds at which W_n has the value sought, in a stretch of linear e where signs alone isolate
+//! them.
 //!
 //! Under a law without a limit P_n is affine in the approach speed x and affine in e: P_n = p₀ + p_x x + e
 //! (p_e + p_ex x). A stretch is a line in the plane of x and e. On it the Bernstein coefficients of x, e and

@@ -289,8 +289,7 @@ pub fn central_contact<T: Real>(
 }
 
 /// Two vehicles of known mass (kg), heading (rad) and course (rad), the direction of travel, as if their CGs
-/// met: for [`Momentum::speeds`] and [`Momentum::speed_beside`], which need no more. `None` stands for the
-/// mass of a fixed object.
+/// met: enough for [`Momentum::speeds`] and [`Momentum::speed_beside`]. The mass of a fixed object is `None`.
 ///
 /// # Errors
 /// If a mass or an angle is impossible.

@@ -74,7 +74,7 @@ impl Polynomial {
         Some(changes)
     }
 
-    /// The roots in the interval at which the sign changes, in ascending order.
+    /// The roots in the interval where the sign changes, in ascending order.
     pub(crate) fn roots(&self, interval: [f64; 2]) -> Points {
         let mut points = Points::none();
         // This would cost more than the derivatives of a parabola.

@@ -1,4 +1,4 @@
-//! The ranges of what is assumed about a recorder.
+//! Ranges of the assumptions about a recorder.
 
 /// An assumption about a recorder that is not in its range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -14,7 +14,7 @@ pub struct AssumptionOutOfRange {
     pub greatest: f64,
 }
 
-/// Whether each value lies in its range; otherwise the first that does not, by the name of its field.
+/// Checks that each value lies in its range. The error is the first that does not, by the name of its field.
 pub(crate) fn in_ranges(fields: &[(&'static str, f64, [f64; 2])]) -> Result<(), AssumptionOutOfRange> {
     let is_out = |(_, value, [least, greatest]): &&(_, f64, [f64; 2])| !(*least..=*greatest).contains(value);
     match fields.iter().find(is_out) {

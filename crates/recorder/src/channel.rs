@@ -1,4 +1,4 @@
-//! The quantities of a recorder's table, the headings by which they are recognised, and their units.
+//! The quantities of a recorder's table, their headings, and their units.
 
 /// A quantity that a recorder stores over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -244,7 +244,7 @@ impl Channel {
         }
     }
 
-    /// Units that a heading may give it, for messages.
+    /// The units that a heading may give it, for messages.
     #[must_use]
     pub fn units(self) -> Vec<&'static str> {
         let dimension = self.dimension();
@@ -257,12 +257,12 @@ impl Channel {
         !units.is_empty() && !units.iter().any(|unit| self.takes(unit))
     }
 
-    /// Whether a value of this unit may stand for it.
+    /// Whether this is a unit of the quantity.
     pub(crate) fn takes(self, unit: &ChannelUnit) -> bool {
         self.dimension() == unit.dimension
     }
 
-    /// (SI) the smallest and the largest value that a recorder stores of it; a number beyond these is no
+    /// (SI) the smallest and the largest value that a recorder stores of it. A number outside counts as no
     /// value.
     pub(crate) fn range(self) -> [f64; 2] {
         self.row().range

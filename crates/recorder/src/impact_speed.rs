@@ -16,13 +16,13 @@ const KMH: f64 = 1.0 / 3.6;
 pub struct ImpactSpeedErrors {
     /// (m/s) step in which speeds are stored, to the nearest: 1 km/h in 49 CFR 563 and UN R160.
     pub step: f64,
-    /// (1) fraction by which the speed reads low while the wheels roll: 1.4 % on average (18 runs of
-    /// a 2010 Ford Flex against GPS, steady at 113 km/h).
+    /// (1) fraction that the speed reads low while the wheels roll: 1.4 % on average (18 runs of a 2010 Ford
+    /// Flex against GPS, steady at 113 km/h).
     pub steady_low: f64,
     /// (1) standard deviation of that share: 0.43 %, from "within 2.5 % at 99 %" of the same runs.
     pub steady_sd: f64,
-    /// (1) standard deviation of the fraction by which worn or different tyres change the speed: 0.7 %. 7 mm
-    /// of tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
+    /// (1) standard deviation of the fraction that worn or different tyres change the speed: 0.7 %. 7 mm of
+    /// tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
     pub tyre_sd: f64,
     /// (m/s) how much the speed reads low in hard braking with ABS at work: 3 km/h on average over the same
     /// runs.
@@ -115,7 +115,7 @@ impl SpeedErrorSource {
 pub struct SpeedErrorPart {
     /// The source.
     pub source: SpeedErrorSource,
-    /// (m/s) by how much it moves the mean.
+    /// (m/s) its shift of the mean.
     pub shift: f64,
     /// (m²/s²) its part of the variance. The parts add up to the whole.
     pub variance: f64,
@@ -130,8 +130,8 @@ pub struct SteepFall {
     pub time: f64,
     /// (m/s) its speed.
     pub speed: f64,
-    /// Whether several samples are that low: the wheels slipped, or locked, long before the impact. The last
-    /// one alone may be of the impact itself.
+    /// Whether several samples are that low: the wheels slipped or locked long before the impact. A single
+    /// low last sample may be of the impact itself.
     pub is_slip: bool,
     /// (1) probability that the sample before the fall counts, not the last one.
     pub probability: f64,
@@ -304,8 +304,8 @@ impl ImpactSpeedErrors {
     }
 }
 
-/// Mean and standard deviation of the amount (m/s) by which slip lowers a stored speed, from mean and
-/// variance of the share of hard braking.
+/// (m/s) mean and standard deviation of the reduction of a stored speed by slip, from mean and variance of
+/// the share of hard braking.
 fn slip(stored: f64, [hard, variance]: [f64; 2], errors: &ImpactSpeedErrors) -> [f64; 2] {
     let rolling = 1.0 - hard;
     let (low, steady) = (errors.slip_low, errors.steady_low * stored);
@@ -469,7 +469,7 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
         let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
         let [slip, slip_sd] = slip(*stored, slips([sample.brake, sample.abs], slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
-        // The wheels of a vehicle that stood did not slip.
+        // The wheels of a vehicle at rest did not slip.
         let moved = if *stored > 0.0 { 1.0 } else { 0.0 };
         SampleSpeed {
             time: sample.time,
@@ -481,7 +481,7 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
 }
 
 /// (–) largest difference, in standard deviations, between a speed at the impact and the recorder's that the
-/// errors of the samples explain; the rest of a larger one has another reason.
+/// errors of the samples explain; whatever exceeds it has another cause.
 const MOST_SHARED: f64 = 2.0;
 
 /// The approach of a vehicle to the impact, by the samples that its recorder stored before.

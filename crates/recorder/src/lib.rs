@@ -23,8 +23,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s, each column
-//! recognised by its heading and unit, each cell without a value reported with its place; [`read_rows`]
+//! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s: it recognises
+//! each column by its heading and unit, and reports each cell without a value with its place. [`read_rows`]
 //! chooses a record of NHTSA's long tables. [`PreCrash`] holds the samples before the impact, with the
 //! distance between them within [`DistanceBounds`]; [`ImpactSpeed`] is the speed at t = 0 as a distribution,
 //! with a [`SpeedErrorPart`] for each source of its error; [`CrashPulse`] is ΔV over time, with its beginning

@@ -176,7 +176,7 @@ impl SpeedLimits {
         Self { rounding: 0.5 * step, ..Self::default() }
     }
 
-    /// Checks every field. The bounds of other limits mean nothing.
+    /// Checks every field. With limits out of range, the bounds mean nothing.
     ///
     /// # Errors
     ///
@@ -245,8 +245,8 @@ fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceB
     let (left, right) = (first * step, last * step);
     let sums =
         |at_least, at_most| DistanceBounds { at_least, left, between: 0.5 * (left + right), right, at_most };
-    // A change beyond the limits happened nevertheless, at any instant: only the other limit then holds. It
-    // fell at the end at the latest, and at the beginning at the earliest.
+    // A change beyond the limits happened nevertheless, at any instant: only the other limit then holds. The
+    // speed fell at the end at the latest, and at the beginning at the earliest.
     match limits.beyond(step, change) {
         Some(slope) if slope < 0.0 => {
             return sums(falling(last - error, rise, step), rising(first + error, rise, step));

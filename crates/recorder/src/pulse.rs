@@ -62,7 +62,7 @@ pub enum PulseRule {
     Change {
         /// (m/s) the change.
         change: f64,
-        /// (s) in which time.
+        /// (s) the window.
         window: f64,
     },
     /// The impact lasts as long as the acceleration, averaged over 20 ms, is above this one (m/s²).
@@ -142,9 +142,8 @@ pub fn force_direction([along, to_the_right]: [f64; 2]) -> f64 {
 }
 
 impl CrashPulse {
-    /// A pulse of these samples. Samples without a ΔV are dropped, as are the zeros with which a recorder
-    /// padded the part that it did not store. If one of two axes ends before the other, the other continues
-    /// alone.
+    /// A pulse of these samples. Samples without a ΔV are dropped, and so are the zeros that a recorder
+    /// stored as padding. If one of two axes ends before the other, the other continues alone.
     ///
     /// # Errors
     ///
@@ -161,7 +160,8 @@ impl CrashPulse {
             }
             before = one.time;
         }
-        // A recorder with one axis has no values for the other; with both axes, a sample needs both.
+        // A recorder with one axis has no values for the other; with both axes, a sample needs both until one
+        // axis ends.
         let has =
             |of: fn(&PulseSample) -> Option<f64>| samples.iter().filter(|one| of(one).is_some()).count() >= 2;
         let (along, across) = (has(|one| one.longitudinal), has(|one| one.lateral));
@@ -192,7 +192,7 @@ impl CrashPulse {
             .collect();
         if kept.len() < 2 {
             let found = samples.iter().filter(|one| one.longitudinal.or(one.lateral).is_some()).count();
-            // With two samples of either axis, and none of both, no two are whole.
+            // Each axis may have two samples, but fewer than two samples have both.
             return Err(PulseFault::TooFew { found: found.min(1) });
         }
         Ok(Self { samples: kept, padded_from })
@@ -233,14 +233,14 @@ impl CrashPulse {
         }
     }
 
-    /// (s) the time from which the record only has zeros with which the recorder padded it, if there are any;
-    /// they do not count as samples.
+    /// (s) the time from which the recorder only stored zeros as padding, if it did; they do not count as
+    /// samples.
     #[must_use]
     pub fn padded_from(&self) -> Option<f64> {
         self.padded_from
     }
 
-    /// (s) the last time at which both axes have a ΔV, if one of them continues alone.
+    /// (s) the last time for which both axes have a ΔV, if one of them continues alone.
     #[must_use]
     pub fn alone_from(&self) -> Option<f64> {
         let has_both = |one: &PulseSample| one.longitudinal.is_some() && one.lateral.is_some();
@@ -361,8 +361,8 @@ impl CrashPulse {
     }
 
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
-    /// 563.5, and by more than one step in which it is stored. Its ΔV is then a lower bound. Zeros with which
-    /// the recorder padded the record are no part of it, so that it may be padded and complete.
+    /// 563.5, and by more than one step in which it is stored. Its ΔV is then a lower bound. Padding is no
+    /// part of the record, so a padded record may be complete.
     #[must_use]
     pub fn is_cut(&self) -> bool {
         const AXES: [fn(&PulseSample) -> Option<f64>; 2] = [|one| one.longitudinal, |one| one.lateral];
@@ -389,8 +389,8 @@ impl CrashPulse {
 /// (m/s) 5 km/h: a larger ΔV does not fall to 0 from one sample to the next and stay there.
 const LEAST_PADDED: f64 = 5.0 / 3.6;
 
-/// The index of the first of the zeros with which a recorder pads a record that it could not finish: two at
-/// least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
+/// The index of the first of the zeros that a recorder stored as padding for a record that it could not
+/// finish: two at least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
 fn padding(samples: &[PulseSample]) -> Option<usize> {
     let size = |one: &PulseSample| {
         let [x, y] = [one.longitudinal, one.lateral].map(|part| part.unwrap_or(0.0));
@@ -406,8 +406,8 @@ fn padding(samples: &[PulseSample]) -> Option<usize> {
 
 /// (m/s) values that differ by less were stored alike: no recorder stores hundredths of 1 km/h.
 const SAME_STORED: f64 = 0.005 / 3.6;
-/// (–) how many of the steps in which ΔV is stored its last digit flickers by, with what conversion to
-/// another unit rounds.
+/// (–) flicker of the last digit of ΔV, in steps in which it is stored, including the rounding of a
+/// conversion to another unit.
 const FLICKER: f64 = 1.5;
 
 /// (s) the time within which a pulse is tested for a change: that of 49 CFR 563.5.

@@ -1,5 +1,5 @@
-//! The tables read from a text: columns, the quantities for which their headings were taken, and cells
-//! without a value.
+//! The tables read from a text: columns, the quantity that each heading was taken for, and cells without a
+//! value.
 
 use std::fmt;
 
@@ -66,7 +66,7 @@ impl TextLayout {
 pub struct TableColumn {
     /// As in the text.
     pub heading: String,
-    /// The quantity for which it was taken.
+    /// The quantity that its heading was taken for.
     pub channel: Channel,
     /// The unit of the numbers that were read.
     pub unit: ChannelUnit,
@@ -92,7 +92,7 @@ pub enum NoValue {
     Empty,
     /// A word that means no value: `Invalid`, `SNA`.
     Word(String),
-    /// A number by which a recorder means no value: 255.
+    /// A number that a recorder stores for a missing value, such as 255.
     Code(String),
     /// Beyond what a recorder stores.
     OutOfRange {
@@ -158,11 +158,11 @@ pub enum Apart {
         /// (s) its first time after the impact.
         time: f64,
     },
-    /// It has a quantity of the other table, at times of it.
+    /// It has a quantity that the other table also has, at the same times.
     GivenTwice {
         /// The quantity.
         channel: Channel,
-        /// (s) from where on both have times.
+        /// (s) the time from which both have it.
         time: f64,
     },
 }
@@ -234,8 +234,8 @@ impl RecorderTable {
         self.column(channel).map_or_else(|| vec![None; rows], |column| column.values.clone())
     }
 
-    /// The headings that were read, with the quantities for which they were taken, and those that were not,
-    /// in words.
+    /// The headings that were read, with the quantities that they were taken for, and those that were not, in
+    /// words.
     #[must_use]
     pub fn headings(&self) -> String {
         let read =
@@ -253,19 +253,19 @@ impl RecorderTable {
         self.columns.iter().filter(|column| column.channel != Channel::Time)
     }
 
-    /// The first quantity of which both have a column.
+    /// The first quantity that both tables have.
     fn shared_with(&self, other: &Self) -> Option<Channel> {
         let shared = other.quantities().find(|column| self.column(column.channel).is_some());
         shared.map(|column| column.channel)
     }
 
-    /// Whether both have a column of one quantity.
+    /// Whether the tables have a quantity in common.
     #[must_use]
     pub fn shares_a_quantity(&self, other: &Self) -> bool {
         self.shared_with(other).is_some()
     }
 
-    /// Why it is no table before the impact, if it is none.
+    /// Why it is not a table before the impact; `None` if it is one.
     #[must_use]
     pub fn not_before_impact(&self) -> Option<Apart> {
         if self.is_pulse() {
@@ -287,8 +287,8 @@ impl RecorderTable {
         Some(Apart::GivenTwice { channel, time })
     }
 
-    /// Merges a table of the same record, at the times of both. A column has no value at times that only the
-    /// other table has.
+    /// Merges a table of the same record, at the times of both. At times that only one table has, the columns
+    /// of the other have no value.
     pub fn join(&mut self, other: Self) {
         let [own, others] = [&*self, &other].map(Self::times);
         let mut rows: Vec<(f64, TextPlace)> = own.iter().copied().zip(self.rows.iter().copied()).collect();
@@ -397,7 +397,7 @@ pub enum TextRefusal {
         heading: String,
         /// Its place.
         place: TextPlace,
-        /// The quantity for which it was taken.
+        /// The quantity that it was taken for.
         channel: &'static str,
         /// The units that it may have.
         units: String,
@@ -444,17 +444,17 @@ pub enum TextRefusal {
         /// The values that there are.
         known: String,
     },
-    /// A column by which rows cannot be chosen.
+    /// The name of a column that cannot choose rows.
     #[error(
         "rows cannot be chosen by {name}; write one of {known} with its value, such as \"VEHNO 1, EDREVENTNO 2\""
     )]
     NoColumn {
         /// What was written.
         name: String,
-        /// The columns by which they can be chosen.
+        /// The columns that can choose rows.
         known: String,
     },
-    /// A long table without a code of NHTSA.
+    /// A long table without any of NHTSA's codes for values before or during the impact.
     #[error(
         "{place}: no PCODE begins with 1, as before the impact, or 2, as during it; there are {known}; write NHTSA's codes, \
          or a table with a column for each quantity"
@@ -490,7 +490,7 @@ pub enum TextRefusal {
         place: TextPlace,
         /// The text there.
         text: String,
-        /// (unit of the heading) from where to where times can lie.
+        /// (unit of the heading) the least and the greatest possible time.
         range: [f64; 2],
     },
     /// A time that also appears in the row before.

@@ -17,7 +17,7 @@ pub struct KnownImpact {
     pub delta_v: Option<f64>,
 }
 
-/// The data of a record by which impacts are distinguished.
+/// The data of a record that distinguish impacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EventRecord {
     /// (rad) principal direction of force of its ΔV; `None` if it has only one axis.
@@ -29,7 +29,7 @@ pub struct EventRecord {
 }
 
 /// (1) the smallest cosine of the angle between a direction and the axis of a recorder for which the ΔV along
-/// that axis shows the whole ΔV: that of 60°.
+/// that axis shows the whole ΔV: cos 60°.
 const LEAST_COSINE: f64 = 0.5;
 
 impl EventRecord {
@@ -106,7 +106,7 @@ impl MatchErrors {
 pub enum Mismatch {
     /// The directions of force differ.
     Direction {
-        /// (rad) by how much.
+        /// (rad) the difference.
         difference: f64,
     },
     /// The record's ΔV differs from that of the impact by a factor.

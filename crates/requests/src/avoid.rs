@@ -9,7 +9,7 @@ use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, counted, counted_of_estimate};
 use crate::refusal::Unanswered;
 
-/// Why an avoidance is no answer where the evidence for its speed gives none.
+/// Why an avoidability has no probability if the evidence gives no speed.
 #[must_use]
 pub fn no_probability(doubt: &NoEstimate) -> &'static str {
     match doubt {
@@ -25,11 +25,11 @@ pub fn no_probability(doubt: &NoEstimate) -> &'static str {
 /// How to ask whether a collision was avoidable: see [`AvoidPlan`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct AvoidOptions {
-    /// Number of samples, where ranges make the answer uncertain.
+    /// Number of samples, if ranges make the answer uncertain.
     pub samples: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
-    /// Whether the exact solution gives a speed that is sought, even where there is more evidence.
+    /// Whether the exact solution gives a speed to be found, even if there is more evidence.
     pub exact: bool,
 }
 

@@ -10,7 +10,7 @@ use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, of_estimate};
 use crate::refusal::Unanswered;
 
-/// How to estimate, and what else is asked: see [`EstimatePlan`].
+/// How to estimate, and further questions: see [`EstimatePlan`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EstimateOptions {
     /// Number of particles of each of 16 islands.
@@ -42,7 +42,7 @@ fn prior<S: Serializer>(prior: &Option<SeverityPrior>, out: S) -> Result<S::Ok, 
     prior.map(SeverityPrior::name).serialize(out)
 }
 
-/// An estimate, and what was asked of it.
+/// An estimate, with its plan and its questions.
 #[derive(Debug)]
 pub struct EstimateAnswer {
     /// The result of all the evidence.
@@ -52,7 +52,7 @@ pub struct EstimateAnswer {
 }
 
 impl EstimateOptions {
-    /// A number of particles that can be dealt in two halves of whole blocks.
+    /// Checks that a number of particles can be dealt into two halves of whole blocks.
     ///
     /// # Errors
     /// What to give instead.

@@ -30,7 +30,7 @@
 //! # A new command
 //!
 //! Its options, and its document and JSON if no other crate has them, are a file of this crate, whose enums
-//! get another variant. The command line gives it a name and a help; the page finds it by its name.
+//! get another variant. The command line gives it a name and a help text; the page finds it by its name.
 //!
 //! # What it does not do
 //!
@@ -74,7 +74,7 @@ pub use uncertainty::{UncertaintyOptions, plots};
 #[non_exhaustive]
 #[serde(tag = "command", content = "options", rename_all = "lowercase")]
 pub enum Request {
-    /// The speed at which impact and crush agree, or both speeds.
+    /// The speed that makes impact and crush agree, or both speeds.
     Reconstruct(ReconstructOptions),
     /// The impact of two known speeds.
     Impact,

@@ -23,7 +23,7 @@ pub enum OptionError {
     /// An option that cannot be read: a sentence.
     #[error("{0}")]
     Unreadable(String),
-    /// An option that was read, and cannot be.
+    /// An option that was read, but has an impossible value.
     #[error("{option}={given}: {advice}")]
     Value {
         /// Its name.
@@ -49,7 +49,7 @@ impl RequestOptions {
         Ok(Self { given, known: RefCell::default() })
     }
 
-    /// With a flag as it is where nothing is given.
+    /// Sets a flag to this value unless it is given.
     #[must_use]
     pub fn or(mut self, name: &str, flag: bool) -> Self {
         if self.get(name).is_none() {
@@ -63,7 +63,7 @@ impl RequestOptions {
         self.given.get(name).filter(|value| !value.is_null())
     }
 
-    /// Refuses names for which no option of the command has asked.
+    /// Refuses names that no option of the command has asked for.
     pub(crate) fn are_known(&self, command: &str) -> Result<(), OptionError> {
         let known = self.known.borrow();
         let Some(name) = self.given.keys().find(|name| !known.contains(name.as_str())) else { return Ok(()) };
@@ -73,7 +73,7 @@ impl RequestOptions {
         Err(OptionError::Unreadable(format!("{command} has no option \"{name}\"; its options: {has}")))
     }
 
-    /// What is given under a name, read as what it is to be.
+    /// What is given under a name, read as a `T`.
     fn read_as<'a, T>(
         &'a self,
         name: &'static str,

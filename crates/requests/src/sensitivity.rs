@@ -21,10 +21,10 @@ impl Default for SensitivityOptions {
 }
 
 impl SensitivityOptions {
-    /// The most steps to each side.
+    /// Maximum number of steps to each side.
     pub const MOST_STEPS: u32 = 180;
 
-    /// A step of the sweep (degrees) that can be.
+    /// Checks a step of the sweep (degrees).
     ///
     /// # Errors
     /// What to give instead.

@@ -147,7 +147,7 @@ impl SolvedCase {
         }
     }
 
-    /// The drawing that shows most of it; `None` if nothing can be drawn of the case.
+    /// The drawing that shows most of it; `None` if the case has nothing to draw.
     #[must_use]
     pub fn first_subject(&self) -> Option<Subject> {
         let Self { analysis, .. } = self;

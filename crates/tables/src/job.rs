@@ -10,7 +10,7 @@ use crate::error::TableError;
 /// The task for each row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Job {
-    /// The speed at which impact and crush agree: as `deltav reconstruct --exact`, and with samples as
+    /// The speed that makes impact and crush agree: as `deltav reconstruct --exact`, and with samples as
     /// `deltav uncertainty`.
     Reconstruct,
     /// The effect of the impact, with both speeds given: as `deltav impact`.
@@ -24,7 +24,7 @@ pub enum Job {
 }
 
 impl Job {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 5] = [
         ("reconstruct", Self::Reconstruct),
         ("impact", Self::Impact),
@@ -43,12 +43,12 @@ impl Job {
 /// How the rows are computed.
 #[derive(Clone, Copy, Debug)]
 pub struct RowOptions {
-    /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
+    /// Samples of each row for its intervals, Monte Carlo; if absent, there are no intervals. For
     /// [`Job::Reconstruct`] and [`Job::Impact`]; for [`Job::Avoid`], those of its probability, in place of
     /// [`SAMPLES`](analysis::AvoidPlan::SAMPLES).
     pub samples: Option<usize>,
-    /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
-    /// the results of a row do not depend on its position in the table.
+    /// The seed of every row that has none in the column `seed`. It is the same for all of them: the results
+    /// of a row do not depend on its position in the table.
     pub seed: u64,
     /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
     pub particles: usize,

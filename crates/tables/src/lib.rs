@@ -38,7 +38,7 @@
 //!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`.
 //!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores:
 //!   `vehicle1__mass__lb`, `vehicle1__crush__depths__1__in`, `vehicle1__crush__stiffness__B__N_per_cm2`.
-//!   Two, as keys have single ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and
+//!   Two, because keys have single ones in them: `vehicle1_yaw_rate_sd` could be split in several ways, and
 //!   is refused.
 //!
 //! A number without a unit is in SI units and radians. A unit is part of the name of the column, or of the
@@ -47,7 +47,7 @@
 //!
 //! | the key has | its column is |
 //! |---|---|
-//! | a number, with a unit or without | a number or a text; or, for a range, a struct with fields of `value`, `sd`, `low`, `mode`, `high`, `within` (in per cent) and `confidence`, of which `value` alone is a plain number |
+//! | a number, with a unit or without | a number or a text; or, for a range, a struct with fields of `value`, `sd`, `low`, `mode`, `high`, `within` (in per cent) and `confidence`; one with `value` alone is a plain number |
 //! | a list of numbers | a list of these, which ends at its first null; a text, `"0.54 0.52 0.35"`; or a column for each, `depths[1]`, `depths[2]`, … |
 //! | a word or a text, true or false | a text; a Boolean |
 //! | a word or a table, such as `tangential` | a text, or a struct with the keys of the table and `word` |

@@ -95,7 +95,7 @@ enum FoundBy {
 /// An exact solution.
 struct Solved {
     seen: Seen,
-    /// What leads the reconstruction of its case alone, and the codes of the checks that refute it.
+    /// The headline of the reconstruction of its case alone, and the codes of the checks that refute it.
     headline: Option<(&'static str, Vec<String>)>,
 }
 

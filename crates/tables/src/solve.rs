@@ -54,8 +54,8 @@ const WHY_NO_ANSWER: &str = "`deltav estimate` on the case says why";
 /// Rows that are computed before they are put into columns.
 const AT_ONCE: usize = 4096;
 
-/// The faults that were found when the rows were read, one for each row; nothing if a row is sound, or beyond
-/// the end.
+/// The faults that were found on reading the rows, one for each row; none if a row is sound, or beyond the
+/// end.
 pub type RowFaults<'a> = &'a [Option<String>];
 
 /// Receives the number of finished rows and of all, on any thread, and may end the run.
@@ -129,8 +129,7 @@ pub fn run(
     run_with_faults(job, batch, &[], template, options, progress)
 }
 
-/// [`run`] for rows some of which were found to be wrong when they were read: such a row has its fault in the
-/// column `error`.
+/// [`run`] for rows in which reading may have found faults: such a row has its fault in the column `error`.
 ///
 /// # Errors
 /// As for [`run`].

@@ -57,7 +57,7 @@ impl<T: Real> Advance<T> {
         }
     }
 
-    /// (m/s) its speed after a distance (m) from where it is at the beginning.
+    /// (m/s) its speed after a distance (m) from its position at the beginning.
     ///
     /// # Errors
     /// As [`Advance::time_over`].
@@ -66,7 +66,7 @@ impl<T: Real> Advance<T> {
         Ok(match *self {
             Self::Steady { speed } => speed,
             Self::FromStop { acceleration, up_to } => {
-                // v = √(2 a s), at most that which it keeps
+                // v = √(2 a s), at most the speed that it keeps
                 let gained = (acceleration * distance * 2.0).sqrt();
                 up_to.map_or(gained, |kept| if gained.value() < kept.value() { gained } else { kept })
             }

@@ -28,7 +28,7 @@ pub struct Leg<T = f64> {
 }
 
 impl<T: Real> Leg<T> {
-    /// A road user that stands at a position (m) from a time (s) on.
+    /// A road user at rest at a position (m) from a time (s) on.
     #[must_use]
     pub fn at_rest(time: T, position: T) -> Self {
         Self { time, position, speed: T::ZERO, acceleration: T::ZERO, jerk: T::ZERO }

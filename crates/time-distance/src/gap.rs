@@ -13,14 +13,14 @@ pub struct Gap<T = f64> {
     pub distance: T,
     /// (s) its time.
     pub time: T,
-    /// (m/s) the speed with which the one behind then approaches.
+    /// (m/s) the closing speed then.
     pub closing: T,
 }
 
 /// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is
-/// the difference of their positions. The whole motion has to be searched: two vehicles that stand apart in
-/// the end may have met before; it is searched for 1e9 s at most. The one ahead may come nearer, with a
-/// negative speed.
+/// the difference of their positions. The whole motion has to be searched: two vehicles that are apart in the
+/// end may have met before; it is searched for 1e9 s at most. The one ahead may come nearer, with a negative
+/// speed.
 #[must_use]
 pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, to]: [T; 2]) -> Gap<T> {
     let mut least = gap_at(behind, ahead, from);

@@ -14,15 +14,14 @@
 //! # Ok::<(), time_distance::InvalidInput>(())
 //! ```
 //!
-//! A [`Response`] is what a driver does from the reaction demand on, that is, from the moment at which the
-//! danger could first be recognized: a reaction at constant speed, a swell in which the brakes take hold,
-//! then a constant deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same
-//! motion as [`Leg`]s, stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before
-//! the impact ([`approach`]), of a driver who brakes, of a pedestrian. [`Advance`] is how the other road user
-//! moves: steadily, or from a stop. [`Crossing`] has the zone in which two paths meet and the times at which
-//! each road user is in it, [`least_gap`] how close one vehicle comes to another ahead of it,
-//! [`first_contact`] when it reaches it, and [`sees`], [`first_sight`] and [`free_since`] when obstacles
-//! leave the view free.
+//! A [`Response`] is what a driver does from the reaction demand on, the moment when the danger could first
+//! be recognized: a reaction at constant speed, a swell in which the brakes take hold, then a constant
+//! deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same motion as
+//! [`Leg`]s, stretches of constant jerk. A [`Course`] consists of legs: that of a vehicle before the impact
+//! ([`approach`]), of a driver who brakes, of a pedestrian. [`Advance`] is how the other road user moves:
+//! steadily, or from a stop. [`Crossing`] gives the zone where two paths meet and the times that each road
+//! user is in it, [`least_gap`] how close one vehicle comes to another ahead of it, [`first_contact`] when it
+//! reaches it, and [`sees`], [`first_sight`] and [`free_since`] when obstacles leave the view free.
 //!
 //! `examples/avoidable.rs` asks whether a collision was avoidable.
 //!

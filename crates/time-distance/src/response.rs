@@ -131,8 +131,8 @@ impl<T: Real> Response<T> {
         speed.value() < self.lost().value()
     }
 
-    /// (s) after the first effect of the brakes, a vehicle that [stops in the swell](Self::stops_in_swell)
-    /// stands.
+    /// (s) time from the first effect of the brakes to the stop, of a vehicle that [stops in the
+    /// swell](Self::stops_in_swell).
     fn stop_in_swell(&self, speed: T) -> T {
         match self.form {
             // v = a u²/(2 t_S)
@@ -187,7 +187,7 @@ impl<T: Real> Response<T> {
         }
     }
 
-    /// (m/s) of a vehicle on which the brakes have their full effect, or which stands.
+    /// (m/s) the speed of a vehicle under full braking, or at rest.
     fn speed_at_full(&self, speed: T, braked: T) -> T {
         if self.stops_in_swell(speed) {
             return T::ZERO;
@@ -208,8 +208,8 @@ impl<T: Real> Response<T> {
         }
     }
 
-    /// (s) after the first effect of the brakes, a distance (m) from there is reached; `None` where it is not
-    /// reached within the swell.
+    /// (s) time from the first effect of the brakes until a distance (m) from there is reached; `None` if it
+    /// is not reached within the swell.
     fn time_in_swell(&self, speed: T, braked: T) -> Option<T> {
         let reach = if self.stops_in_swell(speed) {
             self.distance_in_swell(speed)
@@ -351,8 +351,8 @@ impl<T: Real> Response<T> {
         (denominator.value() > 0.0).then(|| speed * speed / denominator)
     }
 
-    /// (s) the longest reaction time with which the vehicle stops within a distance; `None` where it does not
-    /// stop even without one, or stands.
+    /// (s) the longest reaction time that lets the vehicle stop within a distance; `None` if it does not stop
+    /// even without one, or is at rest.
     #[must_use]
     pub fn reaction_to_stop_within(&self, speed: T, distance: T) -> Option<T> {
         let left = distance - self.with_reaction(T::ZERO).stopping_distance(speed);
@@ -372,8 +372,8 @@ impl<T: Real> Response<T> {
         Demand { speed, distance, time }
     }
 
-    /// (m) the distance by which the vehicle is behind one that does not brake, and (m/s) the speed that it
-    /// has lost, at a time (s) after the demand: the same at every speed, as long as it moves.
+    /// (m) how far the vehicle is behind one that does not brake, and (m/s) the speed that it has lost, at a
+    /// time (s) after the demand: the same at every speed, as long as it moves.
     fn behind(&self, time: T) -> [T; 2] {
         let (a, braked) = (self.deceleration, time - self.reaction);
         if braked.value() <= 0.0 {
@@ -396,9 +396,9 @@ impl<T: Real> Response<T> {
         }
     }
 
-    /// (m/s) the greatest speed with which the vehicle is at a distance no earlier than a time (s) after the
-    /// demand: the temporal avoidance speed, where the other party has then just cleared the danger zone. It
-    /// is never less than [the speed from which it stops before](Self::speed_to_stop_within).
+    /// (m/s) the greatest speed that brings the vehicle to a distance no earlier than a time (s) after the
+    /// demand: the temporal avoidance speed, if the other party has then just cleared the danger zone. It is
+    /// never less than [the speed from which it stops before](Self::speed_to_stop_within).
     ///
     /// The distance must be positive; a time of zero or less has no such speed, and gives infinity.
     #[must_use]

@@ -7,7 +7,7 @@ use crate::course::first_that_holds;
 /// Steps of the secant after which it has long converged.
 const MOST_SECANTS: usize = 12;
 
-/// (–) accuracy of the moment at which a corner comes into line, as a share of the step in which it lies.
+/// (–) accuracy of the moment when a corner comes into line, as a share of its step.
 const IN_LINE: f64 = 1e-12;
 
 /// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners
@@ -62,8 +62,8 @@ pub fn first_sight(
     }
 }
 
-/// (s) the moment since which one road user has seen the other without a break until `to` (s): `from` (s) if
-/// it always has since then, and `None` if it does not at `to`. The sight is tested as by [`first_sight`].
+/// (s) the moment from which one road user sees the other without a break until `to` (s): `from` (s) if it
+/// always does, and `None` if it does not at `to`. The sight is tested as by [`first_sight`].
 pub fn free_since(
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
     obstacles: &[&[Vector2<f64>]],
@@ -83,7 +83,7 @@ fn is_seen([one, other]: [Vector2<f64>; 2], obstacles: &[&[Vector2<f64>]]) -> bo
     obstacles.iter().all(|outline| sees(one, other, outline))
 }
 
-/// The moment between one at which it is hidden and one at which it is seen.
+/// The moment between one when it is hidden and one when it is seen.
 fn between(
     [hidden, seen]: [f64; 2],
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
@@ -100,8 +100,8 @@ fn between(
     first_that_holds([hidden, seen], is_seen)
 }
 
-/// The moment between two at which a corner lies on the line from one road user to the other, if there is
-/// just one such corner.
+/// The moment between two when a corner lies on the line from one road user to the other, if there is just
+/// one such corner.
 fn in_line(
     [first, last]: [f64; 2],
     positions: impl Fn(f64) -> [Vector2<f64>; 2],

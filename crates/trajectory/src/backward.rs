@@ -59,7 +59,7 @@ const MOST_APPROACHES: usize = 10;
 /// (m) miss from which Newton's method can continue.
 const LED: f64 = 1.0;
 
-/// (m) miss at which the closed form need not come closer.
+/// (m) miss that the closed form need not reduce further.
 const APPROACHED: f64 = 0.1;
 
 /// Maximum change per step of the inputs of the closed form: ln of the distance, angle and turn (rad).
@@ -363,8 +363,8 @@ impl<'a> Search<'a> {
         let turns = if self.target.turns_known {
             [Some(turn), None, None, None]
         } else {
-            // The turn the other way round, and one full turn more; of half a turn, which is either way the
-            // same, to both sides.
+            // The turn the other way round, and one full turn more; of half a turn, which is the same either
+            // way, one full turn more to both sides.
             let full = TAU.copysign(least);
             let is_half = PI - least.abs() < SAME_TURN;
             [Some(least), Some(least - full), Some(least + full), is_half.then_some(least - 2.0 * full)]

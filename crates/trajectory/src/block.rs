@@ -459,7 +459,7 @@ struct Board<'a, S: Simd> {
     follows: [Option<usize>; LANES],
     given: [Lanes<S>; GIVEN_NUMBERS],
     courses: [Lanes<S>; NUMBERS],
-    /// (m) how far each can go without a wheel that meets a border, at least.
+    /// (m) distance that each can at least go before a wheel meets a border.
     clearance: Lanes<S>,
 }
 

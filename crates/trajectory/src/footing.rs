@@ -1,4 +1,4 @@
-//! The zones of ground under the wheels, and the points at which a wheel enters another.
+//! The zones of ground under the wheels, and the points where a wheel enters another.
 
 use real::Real;
 
@@ -12,7 +12,7 @@ use crate::step::Phase;
 /// (m) maximum distance between checks of a wheel's zone near a border.
 const LOOKOUT: f64 = 0.25;
 
-/// (m) distance ahead of a wheel on a border at which its zone is looked up.
+/// (m) how far ahead of a wheel on a border its zone is looked up.
 const AHEAD: f64 = 1e-9;
 
 /// Fraction of a step to which a crossing is narrowed on its cubic.
@@ -21,7 +21,7 @@ const NARROW: f64 = 1e-6;
 /// Fraction of a step below which it is not divided further to look for crossings.
 const SHORTEST: f64 = 1e-3;
 
-/// Rounds in which a crossing is sought on the cubics of the distances; after that by bisection.
+/// Rounds of the search for a crossing on the cubics of the distances; bisection follows.
 const MOST_CUBICS: u32 = 8;
 
 /// Rounds of Newton's method on such a cubic, from its chord.
@@ -45,7 +45,7 @@ pub(crate) struct Pose {
     pub(crate) direction: Direction<f64>,
 }
 
-/// The point at which a wheel first enters another zone.
+/// The point where a wheel first enters another zone.
 pub(crate) struct Crossing {
     /// Fraction of the step, just after the border.
     pub(crate) share: f64,
@@ -105,7 +105,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.zones = self.zones_of(self.wheels([x, y], direction));
     }
 
-    /// The point in a step of `h` (s) at which a wheel first stands on another zone.
+    /// The point in a step of `h` (s) where a wheel is first on another zone.
     pub(crate) fn crossing(&self, from: Pose, to: Pose, h: f64) -> Option<Crossing> {
         let (first, last) = (from.phase, to.phase);
         if self.clearance(first) > farthest(first, last, h) {
@@ -184,15 +184,15 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         wheels.map(|wheel| self.ground.zone_at(wheel))
     }
 
-    /// (m) how far the vehicle can go from here without a wheel that meets a border.
+    /// (m) how far the vehicle can go from here before a wheel meets a border.
     pub(crate) fn clearance(&self, now: Phase<f64>) -> f64 {
         let center = [now.q[0], now.q[1]];
         let distances = self.ground.zones.iter().map(|zone| zone.region.distance_to_border(center));
         distances.fold(f64::INFINITY, Real::min) - self.radius - AHEAD
     }
 
-    /// The first crossing between two positions: narrowed to both sides of the point at which a wheel first
-    /// meets a border by the cubics of the distances, or else by bisection.
+    /// The first crossing between two positions. The cubics of the distances, or else bisection, narrow it to
+    /// both sides of the point where a wheel first meets a border.
     fn narrowed(&self, at: &impl Fn(f64) -> Stand, mut before: Stand, mut after: Stand) -> Option<Crossing> {
         let mut round = 0;
         while after.share - before.share > NARROW {
@@ -218,8 +218,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         Some(Crossing { share: after.share, wheel, border })
     }
 
-    /// The fraction of the path between two positions at which a wheel first meets a border, by the cubic of
-    /// its distance from it.
+    /// The fraction of the path between two positions where a wheel first meets a border, by the cubic of its
+    /// distance from it.
     fn met(&self, before: &Stand, after: &Stand) -> Option<f64> {
         let width = after.share - before.share;
         let of = |i: usize| {
@@ -236,7 +236,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.changed(after).filter_map(of).min_by(f64::total_cmp)
     }
 
-    /// The wheels that stand on another zone.
+    /// The wheels that are on another zone.
     fn changed(&self, stand: &Stand) -> impl Iterator<Item = usize> {
         let zones = self.zones_of(stand.wheels);
         (0..4).filter(move |&i| zones[i] != self.zones[i])

@@ -345,7 +345,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.field = Field::new(self.chassis, self.ground, self.footing.zones);
     }
 
-    /// Moves to the point at which a wheel enters another zone in a step of `h` (s).
+    /// Moves to the point where a wheel enters another zone in a step of `h` (s).
     pub(crate) fn cross(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> Moment<T> {
         let (short, length) = self.up_to_border(start, crossing, h);
         self.now = self.now.after(short.end, short.work, length);

@@ -61,8 +61,8 @@
 //! - [`to_start`] found a start for each of 1000 random rests: for 539 the original one, to 1e-6, for the
 //!   others one that comes to rest within 1 mm.
 //! - A motion followed together with others has the same bits as one followed alone.
-//! - Nothing is allocated, and the numbers may carry derivatives, which include those of the times at which
-//!   wheels cross borders.
+//! - Nothing is allocated, and the numbers may carry derivatives, including those of the times when wheels
+//!   cross borders.
 //!
 //! `examples/rest.rs` follows a vehicle to rest and back.
 //!

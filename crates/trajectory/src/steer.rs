@@ -67,7 +67,7 @@ impl<T: Real> Steer<'_, T> {
         }
     }
 
-    /// (s) the next time after `time` (s) at which the rate of steering changes.
+    /// (s) the next time after `time` (s) when the rate of steering changes.
     pub(crate) fn next_change(&self, time: f64) -> Option<T> {
         match *self {
             Self::Held(_) => None,

@@ -8,6 +8,6 @@ pub const REPLICATES: usize = 16;
 /// Minimum number of samples: one block, four points of each replicate.
 pub const MIN_SAMPLES: usize = LANES;
 
-/// Maximum number of samples, all of which are kept, and of rows of [`crate::sensitivity`]. At this number
-/// the standard error of an end of a 95 % interval is below a thousandth of the standard deviation.
+/// Maximum number of samples, which are all kept, and of rows of [`crate::sensitivity`]. At this number the
+/// standard error of an end of a 95 % interval is below a thousandth of the standard deviation.
 pub const MAX_SAMPLES: usize = 10_000_000;

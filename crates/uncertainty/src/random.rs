@@ -58,8 +58,8 @@ pub fn key(seed: u64, path: &[u64]) -> u64 {
 
 /// The leading 52 bits as a number in (0, 1): the middle of one of 2⁵² equal cells.
 ///
-/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, at which a normal quantile is 8.2 standard deviations
-/// below the mean.
+/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³: its normal quantile is 8.2 standard deviations below
+/// the mean.
 #[inline(always)]
 #[must_use]
 pub fn unit(bits: u64) -> f64 {

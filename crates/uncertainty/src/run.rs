@@ -147,8 +147,9 @@ pub fn for_each<S: Send, T: Send>(
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// The results of both: the second runs after the first, or in parallel with it if this is one of rayon's
-/// threads. Handing both to rayon from another thread, and waiting, may take longer than running them.
+/// The results of both: the second runs after the first, or in parallel with it if the caller is one of
+/// rayon's threads. Handing both to rayon from another thread, and waiting, may take longer than running
+/// them.
 pub fn join<A: Send, B: Send>(first: impl FnOnce() -> A + Send, second: impl FnOnce() -> B + Send) -> (A, B) {
     #[cfg(feature = "parallel")]
     if rayon::current_thread_index().is_some() {

@@ -72,8 +72,8 @@ const PROBABILITIES: [f64; QUANTILES] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.9
 const QUANTILES: usize = 1 + 2 * LEVELS.len();
 
 impl Summary {
-    /// The statistics of a column in which NaN stands for failed samples, either dealt to replicates in turn
-    /// or independent. `None` if fewer than two have an answer.
+    /// The statistics of a column in which NaN marks failed samples, either dealt to replicates in turn or
+    /// independent. `None` if fewer than two have an answer.
     pub(crate) fn of(column: &[f64], is_replicated: bool) -> Option<Self> {
         let mut values: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
         let count = values.len();

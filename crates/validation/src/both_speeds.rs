@@ -14,7 +14,7 @@ use crate::scene::{Collided, Rest, Scene, length_and_direction, polar};
 use crate::staged::Staged;
 use crate::statistics::ErrorRate;
 
-/// (m/s) a vehicle below this speed stood still.
+/// (m/s) a vehicle below this speed was at rest.
 const STOOD: f64 = 1e-9;
 
 /// (m) arm for tests without a published point of contact: momentum alone does not use it.
@@ -77,7 +77,7 @@ pub struct FromRestRow {
     pub found: [f64; 2],
 }
 
-/// The error of a speed: in m/s, and as a share of the true speed unless the vehicle stood still.
+/// The error of a speed: in m/s, and as a share of the true speed unless the vehicle was at rest.
 #[must_use]
 pub fn speed_error(found: f64, true_speed: f64) -> (f64, Option<f64>) {
     let error = found - true_speed;
@@ -161,7 +161,7 @@ fn solved(momentum: Momentum, staged: &Staged) -> Result<(SpeedEvidence, [f64; 2
     Ok((SpeedEvidence::MomentumAndCrush, answer.speeds))
 }
 
-/// Both speeds of every test both of whose vehicles came to rest undisturbed.
+/// Both speeds of every test in which both vehicles came to rest undisturbed.
 pub(crate) fn from_rest(scene: &Scene, staged: &[Staged]) -> Result<Vec<FromRestRow>, ValidationError> {
     let mut rows = Vec::new();
     for first in scene.rest.iter().filter(|rest| rest.vehicle() == VehicleId::One && !rest.struck_again) {

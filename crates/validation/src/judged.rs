@@ -34,7 +34,7 @@ use crate::staged::Staged;
 
 /// (rad/s) candidates for the spread of the yaw rate after the impact; the most likely one is used.
 const YAW_RATE_SDS: [f64; 5] = [0.35, 0.5, 0.7, 1.0, 1.4];
-/// (m/s) a vehicle below this speed stood still, which is known.
+/// (m/s) a vehicle below this speed was at rest, which is known.
 const STOOD: f64 = 1e-9;
 /// The index of the 95 % interval in a summary.
 const NINETY_FIVE: usize = 3;
@@ -300,8 +300,8 @@ impl Subject {
         })
     }
 
-    /// The collision with both speeds unknown, except that of a vehicle that stood still, or with both known.
-    /// Yaw rates after the impact are evidence if they have a spread (rad/s).
+    /// The collision with both speeds unknown, except that of a vehicle at rest, or with both known. Yaw
+    /// rates after the impact are evidence if they have a spread (rad/s).
     fn collision(
         &self,
         yaw_rate_sd: Option<f64>,

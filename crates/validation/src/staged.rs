@@ -161,7 +161,7 @@ impl Staged {
     }
 
     /// (J) crush energies that the paper's own numbers imply: of each vehicle if Table 3 has the test; else
-    /// of both together from the uncorrected row of Table 2, divided as the profiles divide it.
+    /// of both together from the uncorrected row of Table 2, divided in the ratio of the profiles.
     fn implied_energies(&self) -> Result<[f64; 2], ValidationError> {
         if let Some(table3) = &self.printed.table3 {
             return Ok(table3.implied_energies.map(|energy| energy * FOOT_POUND));
@@ -176,7 +176,7 @@ impl Staged {
         Ok([e1 / known * total, e2 / known * total])
     }
 
-    /// (m/s) the speed of vehicle 1 at which the normal impulse takes this energy (J), under the law of the
+    /// (m/s) the speed of vehicle 1 for which the normal impulse takes this energy (J), under the law of the
     /// case or another.
     pub(crate) fn speed(&self, crush_energy: f64, law: Option<Law>) -> Result<f64, ValidationError> {
         self.speed_with_share(crush_energy, law, 0.0)

@@ -18,10 +18,10 @@ pub struct ErrorRate {
     pub limits: [f64; 2],
 }
 
-/// Student's t for 95 % two-sided, by degrees of freedom from 1, to eight decimals: the t at which the
-/// probability A(t|ν) of Abramowitz & Stegun, *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4, is
-/// 0.95. Three decimals, as in most tables, such as that of the NIST/SEMATECH e-Handbook of Statistical
-/// Methods, section 1.3.6.7.2, would show in the limits.
+/// Student's t for 95 % two-sided, by degrees of freedom from 1, to eight decimals: the t with a probability
+/// A(t|ν) of 0.95 by Abramowitz & Stegun, *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4. Three
+/// decimals, as in most tables, such as that of the NIST/SEMATECH e-Handbook of Statistical Methods, section
+/// 1.3.6.7.2, would show in the limits.
 const STUDENT: [f64; 30] = [
     12.706_204_74,
     4.302_652_73,

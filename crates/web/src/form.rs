@@ -45,7 +45,7 @@ fn group(key: &KeyInfo, above: &str) -> Value {
         "key": path,
         "title": title,
         "help": help,
-        // A word may stand in place of the whole table.
+        // Some keys take a word in place of the whole table.
         "choices": key.form.words(),
         "fields": table.map_or_else(Vec::new, |table| fields(table, &path, false)),
         "groups": table.map_or_else(Vec::new, |table| groups(table, &path)),

@@ -222,7 +222,7 @@ impl Run {
         Self::default()
     }
 
-    /// Runs a command, with `options` of which each may be left out:
+    /// Runs a command; each of its `options` may be left out:
     ///
     /// - `uncertainty` propagates the ranges of the case: `{ samples, seed, method: "monte-carlo" |
     ///   "latin-hypercube" | "sobol", indices }`;

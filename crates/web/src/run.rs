@@ -18,7 +18,7 @@ use crate::slide;
 pub(crate) type Progress<'a> = dyn FnMut(&str, usize, usize) -> bool + Send + 'a;
 
 thread_local! {
-    /// The function of the page that receives the progress of a run: it cannot leave its thread, although the
+    /// The function of the page that receives the progress of a run. It cannot leave its thread, although the
     /// engine requires that of a receiver.
     static TOLD: RefCell<Option<Function>> = const { RefCell::new(None) };
 }
@@ -36,8 +36,8 @@ pub(crate) fn told(progress: &Function) -> impl FnMut(&str, usize, usize) -> boo
     }
 }
 
-/// A run that has ended, and its request. Each output is made only when it is requested: the pictures and the
-/// file for machines take a good part of the time that the samples take.
+/// A finished run, and its request. Each output is made only when it is requested: the pictures and the file
+/// for machines take a good part of the time that the samples take.
 #[derive(Debug)]
 pub(crate) struct Ran {
     given: Given,

@@ -1,4 +1,4 @@
-//! The sliders of avoidability: the speed for which it is asked, and the reaction time.
+//! The sliders of avoidability: the speed to ask about, and the reaction time.
 
 use analysis::{AvoidPlan, Avoidance};
 use case::{CaseFile, Dimension, Quantity};

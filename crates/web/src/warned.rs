@@ -1,4 +1,4 @@
-//! The keys to which a warning leads.
+//! The keys that a warning leads to.
 
 use analysis::{Magnitude, Warning};
 

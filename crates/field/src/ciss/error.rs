@@ -34,7 +34,7 @@ pub enum CissError {
         /// What is wrong.
         reason: sas7bdat::Error,
     },
-    /// A table is there twice.
+    /// A table appears twice.
     #[error("the table {table} appears twice: {} and {}; give the tables of one year", .files[0], .files[1])]
     Twice {
         /// Its name.
@@ -62,7 +62,7 @@ pub enum CissError {
         /// Those that it has.
         has: Vec<String>,
     },
-    /// A column is there twice.
+    /// A column appears twice.
     #[error("{file}, line 1: there are two columns {column}; leave one of them")]
     ColumnTwice {
         /// The file.

@@ -1,4 +1,4 @@
-//! SAS files, as the CSV that they would have been downloaded as.
+//! Converts SAS files to the CSV that NHTSA also offers.
 
 use std::ops::ControlFlow;
 

@@ -25,11 +25,11 @@ struct Tables {
 
 /// The pairs of vehicles of a year, in the order of crash, event and vehicle.
 ///
-/// A pair is two vehicles with damage by one event, each of which names the other as the object that it
-/// struck (OBJCONT of CDC, or of EVENT if CDC has no such column). It is kept if the damage of both is on
-/// front, back, left or right with all of C1 to C6, a length and a PDOF; if both have a curb weight; if a
-/// recorder of one has a ΔV of this event (CDCEVENT), where the largest of several records counts; and if no
-/// number is implausible.
+/// A pair is two vehicles with damage by one event; each names the other as the object that it struck
+/// (OBJCONT of CDC, or of EVENT if CDC has no such column). It is kept if the damage of both is on front,
+/// back, left or right with all of C1 to C6, a length and a PDOF; if both have a curb weight; if a recorder
+/// of one has a ΔV of this event (CDCEVENT), where the largest of several records counts; and if no number is
+/// implausible.
 ///
 /// # Errors
 /// If a table or a column is missing, or a cell is not a number, with file, line and column.

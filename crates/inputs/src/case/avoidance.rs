@@ -16,8 +16,8 @@ impl<T: Copy> Case<T> {
         self.avoid.as_ref().and_then(|avoid| avoid.vehicle).unwrap_or(VehicleId::One)
     }
 
-    /// The speed of that vehicle, and how it is known. A speed that is to be found does not count as known,
-    /// even if the file gives it.
+    /// The speed of that vehicle, and its source. A speed to be found does not count as known, even if the
+    /// file gives it.
     #[must_use]
     pub fn avoid_speed(&self) -> SpeedForm<T> {
         let subject = self.avoid_subject();

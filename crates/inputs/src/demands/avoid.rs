@@ -70,13 +70,13 @@ impl Case {
         demand.finish(form)
     }
 
-    /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
+    /// Both approaches, seen from above; `None` if the case does not give all of them.
     #[must_use]
     pub fn avoid_plan(&self) -> Option<SightForm> {
         self.sight_form(self.avoid.as_ref()?, &self.avoid_basis())
     }
 
-    /// What the central values tell of the question.
+    /// The part of the question that the central values settle.
     #[must_use]
     pub fn avoid_basis(&self) -> AvoidBasis {
         let (subject, ground) = (self.avoid_subject(), self.ground_friction());
@@ -99,15 +99,15 @@ impl Case {
         }
     }
 
-    /// How the other vehicle moved along the line of the one that is asked about, if their headings say that
-    /// it did.
+    /// How the other vehicle moved along the line of the vehicle asked about, if their headings show that it
+    /// did.
     #[must_use]
     pub fn other_along(&self) -> Option<Along> {
         let off = self.off_the_line()?;
         are_collinear(off.angle).then_some(off.along)
     }
 
-    /// How far from that line the other vehicle moved, if the headings of both are known.
+    /// The other vehicle's direction of travel relative to that line, if both headings are known.
     #[must_use]
     pub fn off_the_line(&self) -> Option<OffLine> {
         let angle = self.approach_angle()?;
@@ -120,7 +120,7 @@ impl Case {
 }
 
 impl<T: Copy + From<f64>> Case<T> {
-    /// The numbers of `[avoid]`, on what the central values tell; `None` if some are missing, which
+    /// The numbers of `[avoid]`, with what the central values settle; `None` if some are missing, which
     /// [`avoidance`](Case::avoidance) reports.
     #[must_use]
     pub fn avoid_form(&self, basis: &AvoidBasis) -> Option<AvoidForm<T>> {
@@ -158,7 +158,7 @@ impl<T: Copy + From<f64>> Case<T> {
         })
     }
 
-    /// How a vehicle came to the impact, with what its recorder stored; `None` if a number is missing.
+    /// The approach of a vehicle, with what its recorder stored; `None` if a number is missing.
     fn braking_form(
         &self,
         vehicle: VehicleId,
@@ -178,12 +178,13 @@ impl<T: Copy + From<f64>> Case<T> {
         })
     }
 
-    /// How the other vehicle came, if it did so along the same line.
+    /// The other vehicle's approach, if it moved along the same line.
     fn same_line_form(&self, basis: &AvoidBasis) -> Option<SameLineForm<T>> {
         Some(SameLineForm { along: basis.along?, motion: self.vehicle_motion(basis)? })
     }
 
-    /// How the other vehicle came, by its table; `None` if its speed or a number of its braking is not known.
+    /// The other vehicle's approach by its table; `None` if its speed or a number of its braking is not
+    /// known.
     fn vehicle_motion(&self, basis: &AvoidBasis) -> Option<OtherMotionForm<T>> {
         let other = self.avoid_subject().other();
         let of_other = &self.vehicles[other.index()];
@@ -198,12 +199,12 @@ impl<T: Copy + From<f64>> Case<T> {
         is_told.then_some(OtherMotionForm { speed, braking })
     }
 
-    /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.
+    /// Both vehicles at the impact, seen from above; `None` if the case does not give all of it.
     fn outlines_form(&self) -> Option<OutlinesForm<T>> {
         let parties = self.avoid_parties();
         let [Some(first), Some(second)] = parties.map(|vehicle| vehicle.heading) else { return None };
         let [Some(one), Some(two)] = parties.map(GivenVehicle::body) else { return None };
-        // Surveyed positions are where the sight is asked from, too.
+        // Surveyed positions come first: the line of sight starts from them, too.
         let places = match (parties.map(|vehicle| vehicle.position), parties.map(|vehicle| vehicle.contact)) {
             ([Some(one), Some(two)], _) => PlacesForm::Positions([one, two]),
             (_, [Some(one), Some(two)]) => PlacesForm::Contacts([one, two]),
@@ -212,7 +213,7 @@ impl<T: Copy + From<f64>> Case<T> {
         Some(OutlinesForm { headings: [first, second], bodies: [one, two], places })
     }
 
-    /// How fast the other party goes on; `None` if nothing tells it.
+    /// The speed of the other party on its way out; `None` if nothing gives it.
     fn clear_speed(&self, avoid: &Avoid<T>, clear: &Clear<T>) -> Option<ClearSpeedForm<T>> {
         let subject = self.avoid_subject();
         let [_, other] = self.avoid_parties();
@@ -224,19 +225,19 @@ impl<T: Copy + From<f64>> Case<T> {
                 Some(ClearSpeedForm::Phases(phases))
             }
             _ if other.is_absent() || other.fixed => None,
-            // What tells the speed of the one tells that of the other.
+            // An analysis that finds one speed also finds the other.
             _ => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(ClearSpeedForm::Sought),
         }
     }
 
-    /// The phases of a vehicle, if they begin with a known speed and so tell that at the impact.
+    /// The phases of a vehicle, if they begin with a known speed and so determine the speed at the impact.
     fn leading_phases(&self, vehicle: VehicleId) -> Option<Vec<PhaseForm<T>>> {
         let forms: Vec<_> = self.vehicles[vehicle.index()].phases().iter().map(|phase| phase.form).collect();
         forms.first().is_some_and(PhaseForm::leads_on).then_some(forms)
     }
 
-    /// The eye and the point at the impact, each if the case tells it. Beside a position in a survey, the
-    /// origin is that of the survey, and nothing is there.
+    /// The eye and the point at the impact, each if the case gives it. If a vehicle has a surveyed position,
+    /// the origin is only that of the survey, and nothing is there.
     fn sight_places(&self, avoid: &Avoid<T>) -> [Option<PlaceForm<T>>; 2] {
         let [subject, other] = self.avoid_parties();
         let is_surveyed = subject.position.is_some() || other.position.is_some();
@@ -281,10 +282,10 @@ impl<T: Copy + From<f64>> Case<T> {
         [of(&sight.path, &sight.heading, subject), of(&sight.other_path, &sight.other_heading, other)]
     }
 
-    /// How the other party moves: at the constant speed that `[avoid]` gives for it, as its table tells, or,
-    /// where that says nothing, as fast as it goes on.
+    /// The motion of the other party: at the constant speed that `[avoid]` gives for it, or else as its table
+    /// gives it, or else at the speed of `clear`.
     fn other_motion(&self, avoid: &Avoid<T>, basis: &AvoidBasis) -> Option<OtherMotionForm<T>> {
-        // Who starts from a stop has no one speed.
+        // A party that starts from a stop has no single speed.
         let of_demand = match &avoid.demand {
             Some(GivenDemand::Other(other)) if other.acceleration.is_none() => other.speed.as_ref(),
             _ => None,
@@ -295,7 +296,7 @@ impl<T: Copy + From<f64>> Case<T> {
             speed: Some(given.quantity),
             braking: BrakingForm::Unknown,
         };
-        // Without a collision in the case, no evidence tells the speed that its table leaves open.
+        // Without a collision in the case, no evidence gives the speed that its table leaves open.
         let is_told = |motion: &OtherMotionForm<T>| {
             let by_table = motion.speed.is_some() || basis.is_recorded || motion.braking.leads_on();
             by_table || of_clear.is_none() || self.impact.is_some() || self.reconstruct.is_some()
@@ -387,7 +388,7 @@ impl Demand<'_, f64> {
         }
     }
 
-    /// Refuses phases beside what also says how the vehicle came, and those that leave a number open.
+    /// Refuses phases beside other data on how the vehicle came, and phases that leave a number open.
     fn of_phases(&mut self, avoid: &Avoid) {
         let vehicle = self.case.avoid_subject();
         let given = &self.case.vehicles[vehicle.index()];
@@ -566,7 +567,7 @@ impl Demand<'_, f64> {
         ]);
     }
 
-    /// Reports those of the keys that are not given, with what to give.
+    /// Reports the keys that are not given, with what to give.
     fn lacks(&mut self, keys: impl IntoIterator<Item = (bool, &'static str, &'static str)>) {
         for (_, key, example) in keys.into_iter().filter(|(is_given, ..)| !is_given) {
             self.missing(key, example);

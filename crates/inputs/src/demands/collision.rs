@@ -33,7 +33,7 @@ impl<T: Real> Demand<'_, T> {
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
-    /// Reports that a vehicle has no contact point, and the data by which the program would place it.
+    /// Reports that a vehicle has no contact point, and the data that would let the program place it.
     fn missing_contact(&mut self, id: VehicleId) {
         let table = table(id);
         let vehicle = &self.case.vehicles[id.index()];

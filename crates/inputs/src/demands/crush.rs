@@ -146,7 +146,7 @@ impl<T: Real> Demand<'_, T> {
         given(id) || (given(id.other()) && self.case.headings().iter().all(Option::is_some))
     }
 
-    /// A force balance between two crushes needs the angle at which the force meets each.
+    /// A force balance between two crushes needs the angle of the force to each.
     pub(super) fn directions_for_balance(&mut self) {
         for id in VehicleId::ALL {
             let has_angle = self.case.vehicles[id.index()]
@@ -163,7 +163,7 @@ impl<T: Real> Demand<'_, T> {
         }
     }
 
-    /// `crush` has no impulse to take the direction of the force from.
+    /// `crush` has no impulse that gives the direction of the force.
     pub(super) fn direction_of_force(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) {
         let table = table(id);
         let of_ees = vehicle.energy.as_ref().map(|known| known.ees().and_then(|given| given.moment_arm));

@@ -22,8 +22,8 @@ use crate::quantity::Quantity;
 use crate::scene::{EdgeSide, Place, SurfaceRegion, in_scene};
 use crate::vehicle::{GivenVehicle, VehicleKind};
 
-/// (m) a vehicle that came to rest no farther than this from its place at the impact has no path from which
-/// a speed could follow: no survey is more exact.
+/// (m) a vehicle that came to rest no farther than this from its place at the impact has no path that could
+/// give a speed: no survey is more exact.
 const LEAST_PATH: f64 = 0.01;
 
 /// The required data on how a vehicle left the impact.
@@ -37,7 +37,7 @@ enum Departed {
 
 impl<T> Case<T> {
     /// Whether the speeds that are sought follow from how the vehicles left the impact: always if both are
-    /// sought; for one speed, only if no vehicle has damage from which it could follow.
+    /// sought; for one speed, only if no vehicle has damage that could give it.
     #[must_use]
     pub fn is_by_momentum(&self) -> bool {
         let Some(reconstruct) = &self.reconstruct else { return false };
@@ -281,7 +281,7 @@ impl<T: Real> Demand<'_, T> {
                 let (sin, cos) = self.lateral(&self.case.impact.as_ref()?.crush_plane).sin_cos();
                 let normal = Vector2::new(cos, sin);
                 let course = contact.participants()[id.other().index()].course();
-                // The object lies ahead, so that n from vehicle 2 to vehicle 1 is against the course of 1.
+                // The object lies ahead, so n from vehicle 2 to vehicle 1 points against the course of 1.
                 let ahead = normal.x * course.x + normal.y * course.y > T::ZERO;
                 let normal = if ahead == (id == VehicleId::Two) { -normal } else { normal };
                 let contact = central_contact(contact.participants(), normal);
@@ -569,7 +569,7 @@ impl<T: Real> Demand<'_, T> {
         let at = |place: &Vector2<T>| [place.x.value(), place.y.value()];
         let mut before = at(&from);
         let mut leg_before: Option<[f64; 2]> = None;
-        // A wheel of a vehicle that spins goes to and fro.
+        // The wheels of a spinning vehicle go to and fro.
         let places = points.iter().enumerate().filter(|(_, point)| point.wheel.is_none());
         let places = places.map(|(index, point)| (index, &point.position));
         for (index, place) in places.chain(rest.iter().map(|rest| (last, rest))) {

@@ -110,7 +110,7 @@ fn split_opening(piece: &str) -> Vec<String> {
     }
 }
 
-/// Lines over which a field in quotes may run; a quote that stays open longer is an inch.
+/// Maximum number of lines of a field in quotes; a quote that stays open longer is an inch mark.
 const MOST_QUOTED: usize = 6;
 
 /// Whether a quote is open at the end of a text.
@@ -118,7 +118,7 @@ fn is_open(text: &str) -> bool {
     text.matches('"').count() % 2 == 1
 }
 
-/// The lines with their numbers; those over which a field in quotes runs are one.
+/// The lines with their numbers; the lines of a field in quotes are joined to one.
 fn numbered(text: &str) -> Vec<(usize, Cow<'_, str>)> {
     let all: Vec<&str> = text.lines().collect();
     let (mut found, mut k) = (Vec::new(), 0);
@@ -132,7 +132,7 @@ fn numbered(text: &str) -> Vec<(usize, Cow<'_, str>)> {
     found
 }
 
-/// The lines that are not empty, no comment and no rule between heading and rows.
+/// The lines that are neither empty, nor comments, nor rules between heading and rows.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let is_rule = |line: &str| line.contains('|') && line.chars().all(|letter| "-|:+= ".contains(letter));
     numbered(text).into_iter().filter(move |(_, line)| {
@@ -269,8 +269,8 @@ fn is_time(text: &str, place: TextPlace) -> bool {
     head(text, place).is_some_and(|head| head.channel == Channel::Time)
 }
 
-/// A table with its headings. Those not recognised stay as columns that are not read, so that each cell has
-/// one.
+/// A table with its headings. Those not recognised stay as columns that are not read, so that each cell has a
+/// column.
 fn begun(heading: &[(String, TextPlace)], layout: TextLayout) -> RawTable {
     let column = |(text, place): &(String, TextPlace)| {
         let unread = Head::of(text.clone(), Channel::Other, Vec::new(), *place);

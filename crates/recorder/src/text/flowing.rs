@@ -72,7 +72,7 @@ fn as_word(piece: Piece) -> Word {
     }
 }
 
-/// Words as they stand, with the place of the first.
+/// Words as printed, with the place of the first.
 fn phrase(words: &[Word]) -> (String, TextPlace) {
     let text: Vec<&str> = words.iter().map(|word| word.text.as_str()).collect();
     (text.join(" "), words.first().map_or_else(TextPlace::default, |word| word.place))

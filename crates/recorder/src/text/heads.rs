@@ -93,7 +93,7 @@ impl Head {
     }
 }
 
-/// One of the words into which a word of a heading falls.
+/// A part of a word of a heading.
 struct Part {
     plain: String,
     /// The index of its word.
@@ -145,8 +145,8 @@ fn names(parts: &[Part]) -> Vec<(Channel, Range<usize>)> {
     found
 }
 
-/// Where the words of a heading begin whose name begins at `name`: those before it in its line belong to it
-/// if they are the first of the heading, or follow the unit of the one before, which ends at `after`.
+/// Where the words of the heading begin whose name begins at `name`. Words before the name in its line belong
+/// to it if they are the first of the heading, or follow the unit of the one before, which ends at `after`.
 fn begins(parts: &[Part], words: &[Word], after: Option<usize>, name: usize) -> usize {
     let line = |part: &Part| words[part.of].place.line;
     let from = after.unwrap_or(0);
@@ -159,7 +159,8 @@ fn begins(parts: &[Part], words: &[Word], after: Option<usize>, name: usize) -> 
     }
 }
 
-/// The columns that these words name, in order, as they stand; the words before the first are a title.
+/// The columns that these words name, in order, with their channels as first read; the words before the first
+/// are a title.
 fn unsettled(words: &[Word]) -> Vec<Head> {
     let parts = parts(words);
     let names = names(&parts);

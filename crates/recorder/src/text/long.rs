@@ -20,7 +20,7 @@ const TIME: &str = "PTIME";
 const VALUE: &str = "PVALUE";
 /// The columns that distinguish records, from the crash to the record.
 const OF_RECORD: [&str; 6] = ["CIRENID", "CASEID", "CASENO", "VEHNO", "EDRSUMMNO", "EDREVENTNO"];
-/// (s or ms) times that mean that there is none.
+/// (s or ms) codes for a missing time.
 const NO_TIME: [f64; 2] = [9996.0, 9997.0];
 /// Maximum number of values that a message lists.
 const LISTED: usize = 8;

@@ -105,7 +105,7 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
     Ok(si)
 }
 
-/// (s) the times, each read or the table refused, and whether they fall.
+/// (s) the times, and whether they fall. If one cannot be read, the table is refused.
 fn times(
     cells: &[Token],
     units: (ChannelUnit, Option<ChannelUnit>),
@@ -256,7 +256,7 @@ struct Reading {
     column: TableColumn,
     cells: Vec<Token>,
     doubts: Vec<CellDoubt>,
-    /// (SI) the value of a unit in its last digit.
+    /// (SI) the value of one unit of its last digit.
     step: f64,
 }
 

@@ -95,7 +95,7 @@ fn phrases(cells: Vec<Cell>) -> Vec<Cell> {
     found
 }
 
-/// Phrases with the value to which they belong: "126 or greater", "Brake On".
+/// Phrases with the value that they belong to: "126 or greater", "Brake On".
 fn with_values(cells: Vec<Cell>) -> Vec<Cell> {
     let mut found: Vec<Cell> = Vec::new();
     for mut cell in cells {

@@ -52,7 +52,7 @@ impl Histogram {
         is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
     }
 
-    /// The histogram of a column in which NaN stands for failed samples.
+    /// The histogram of a column in which NaN marks failed samples.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         /// Values that one thread takes at a time.
         const AT_ONCE: usize = 1 << 16;
