@@ -957,7 +957,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::Stands => Fault::refused(
             format!("{table}.speed"),
             format!(
-                "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
+                "[{table}] did not move forward at the impact, so its driver could not have avoided it by braking"
             ),
             format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
         ),

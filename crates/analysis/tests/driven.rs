@@ -415,7 +415,7 @@ fn phases_that_cannot_be_get_a_sentence() {
         (
             "{ speed = \"2 m/s\", time = \"2 s\", acceleration = \"0 m/s^2\" }",
             "",
-            "tells the speed at the impact",
+            "gives the speed at the impact",
         ),
         ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "unbraked = true", "so do the phases"),
         ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "speed = \"12 m/s\"", "so do the phases"),

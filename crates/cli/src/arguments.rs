@@ -55,7 +55,7 @@ pub(crate) enum Command {
         after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
             deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
             deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n\n\
-            Exit status: 1 where a row has an error. Ctrl-C ends the run and keeps the rows that were \
+            Exit status: 1 if a row has an error. Ctrl-C ends the run and keeps the rows that were \
             finished.\n\n\
             More: `deltav explain table`."
     )]
@@ -468,7 +468,7 @@ fn methods() -> Vec<Word<SamplingMethod>> {
 fn priors() -> Vec<Word<SeverityPrior>> {
     let meanings = [
         "As severe as collisions after which a vehicle was towed",
-        "As severe as those of them in which somebody was seriously hurt (MAIS 3 or more)",
+        "As severe as the ones among these in which somebody was seriously hurt (MAIS 3 or more)",
         "All speeds are equally likely",
     ];
     meaning(SeverityPrior::WORDS, meanings)

@@ -24,7 +24,7 @@ pub(crate) fn of_cases(arguments: CasesArguments, request: &Request) -> Result<O
         Ok(format) => match (cases.pop(), cases.len()) {
             (Some(case), 0) => return Ok(Some(Arguments { case, format, units, output })),
             (_, others) => anyhow::bail!(
-                "{} case files are given, but a report is on one; use --format csv or --format jsonl for a row each",
+                "{} case files are given, but a report covers only one; use --format csv or --format jsonl for a row each",
                 others + 1
             ),
         },

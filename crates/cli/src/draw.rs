@@ -26,7 +26,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         bail!("--plain is a form of the scene and of the motion: give --what scene, or leave out --plain");
     }
     if arguments.site_plan.is_some() && subject != Some(Subject::Motion) {
-        bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
+        bail!("--site-plan is the background of the motion: give --what motion, or leave it out");
     }
     let file = case_file(&arguments.case)?;
     let site_plan = match site_plan(arguments, file.case.axes)? {
@@ -107,7 +107,7 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
         None => {}
     }
     let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
-    let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed that is sought";
+    let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed to be estimated";
     drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 

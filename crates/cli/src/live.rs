@@ -27,7 +27,7 @@ impl Page {
             bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
         }
         if arguments.cases.len() != 1 {
-            bail!("{} case files are given, but a report is on one", arguments.cases.len());
+            bail!("{} case files are given, but a report covers only one", arguments.cases.len());
         }
         let path = page.map_or_else(beside, |page| Ok(page.to_owned()))?;
         let name = named(&path);

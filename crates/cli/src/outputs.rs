@@ -95,16 +95,18 @@ fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
                 named(input).to_string()
             };
             bail!(
-                "{option} {name} would write over {what} {input}: give another name, such as {option} {other}"
+                "{option} {name} would overwrite {what} {input}: give another name, such as {option} {other}"
             );
         }
         has_folder(option, path)?;
         if let Some(format) = other_format(output) {
-            bail!("{option} {name} would not hold what its name says: {format}, or write {option} {other}");
+            bail!(
+                "{option} {name} would not have the format of its name: {format}, or write {option} {other}"
+            );
         }
         if is_toml(path) {
             bail!(
-                "{option} {name} would write over a .toml file that exists, which may be a case: give another name, such as {option} {other}"
+                "{option} {name} would overwrite a .toml file that exists, which may be a case: give another name, such as {option} {other}"
             );
         }
     }
@@ -170,7 +172,7 @@ fn check_folder(
             None if is_toml(&path) => CASE,
             None => continue,
         };
-        bail!("{option} {shown} would write over {}, which is {what}: give another folder", named(&path));
+        bail!("{option} {shown} would overwrite {}, which is {what}: give another folder", named(&path));
     }
     Ok(())
 }

@@ -87,7 +87,7 @@ fn rows(
     let results = result_schema(job, options);
     let carried = Carried::new(&input.schema, input.kept.clone(), &results).map_err(|error| match error {
         TableError::NameOfResult { .. } => {
-            anyhow!("{error}, or name the columns to carry over by --keep, without it")
+            anyhow!("{error}, or leave it out of the columns that --keep names")
         }
         other => other.into(),
     })?;
@@ -134,7 +134,7 @@ fn rows(
     out.finish().with_context(cannot)?;
     if left_out > 0 {
         note(&format!(
-            "note: {left_out} texts longer than {LONGEST} bytes are not carried over; a remark stands in their place"
+            "note: {left_out} texts longer than {LONGEST} bytes are not carried over; a remark replaces them"
         ));
     }
     if failed > 0 {
@@ -150,7 +150,7 @@ fn say_units(batch: &RecordBatch) -> Result<()> {
     let each: Vec<String> =
         assumed.iter().map(|(column, unit)| format!("{} in {unit}", case::shown(column))).collect();
     note(&format!(
-        "note: numbers without a unit are SI: {}; another unit stands in the name, as in \"{} [unit]\"",
+        "note: numbers without a unit are SI: {}; write another unit in the name, as in \"{} [unit]\"",
         each.join(", "),
         case::shown(first)
     ));
@@ -369,7 +369,7 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
         let called = |column: usize| case::shown(fields[column].name());
         let place = match record.get(fields.len()) {
             Some(beyond) => format!(
-                "\"{}\" stands beyond the last column, \"{}\"",
+                "\"{}\" is beyond the last column, \"{}\"",
                 case::shown(&String::from_utf8_lossy(beyond)),
                 called(fields.len() - 1)
             ),

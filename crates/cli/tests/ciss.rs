@@ -245,7 +245,7 @@ fn the_tables_of_a_download_are_not_written_over() {
     for source in ["2017", "."] {
         let (status, _, message) = validate(&work, &["--field", source, "-o", "2017/CDC.csv"]);
         assert_eq!(status, Some(2), "{message}");
-        assert!(message.contains("would write over"), "{message}");
+        assert!(message.contains("would overwrite"), "{message}");
     }
     assert_eq!(fs::read_to_string(work.join("2017/CDC.csv")).unwrap(), TABLES[2].1);
 }

@@ -328,7 +328,7 @@ fn the_estimate_is_drawn() {
     let (output, svg) = draw(&format!("{fixtures}/sae-980025-impact.toml"), "known.svg");
     assert_eq!(output.status.code(), Some(1));
     let sentence = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; \
-                    leave out the speed that is sought";
+                    leave out the speed to be estimated";
     assert!(said(&output).contains(sentence), "{}", said(&output));
     assert!(!svg.exists());
 }

@@ -61,7 +61,7 @@ fn what_it_cannot_do_is_said() {
         ("--format html --live", "there is none beside the program"),
         ("--format html --live --page none.html", "cannot read the page none.html"),
         ("--format html --live --page other.html", "other.html: this is not the page deltav.html"),
-        ("--format html --live --page page.html -o page.html", "would write over the page page.html"),
+        ("--format html --live --page page.html -o page.html", "would overwrite the page page.html"),
     ] {
         let (status, out, errors) = run(&folder, &format!("reconstruct A.toml {arguments}"));
         assert_eq!((status, out.as_str()), (Some(2), ""), "{arguments}");

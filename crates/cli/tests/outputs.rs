@@ -89,7 +89,7 @@ fn no_command_writes_over_its_case() {
             for output in [case.to_owned(), format!("./{case}"), format!("../case/{case}")] {
                 let message = refused(&folder, &format!("{command} {case} -o {output}"), None);
                 assert!(
-                    message.contains(&format!("-o {output} would write over the case file {case}: ")),
+                    message.contains(&format!("-o {output} would overwrite the case file {case}: ")),
                     "{message}"
                 );
             }
@@ -98,7 +98,7 @@ fn no_command_writes_over_its_case() {
     let message = refused(&folder, "reconstruct A.toml --format html -o A.toml", None);
     assert_eq!(
         message,
-        "error: -o A.toml would write over the case file A.toml: give another name, such as -o A-report.html\n"
+        "error: -o A.toml would overwrite the case file A.toml: give another name, such as -o A-report.html\n"
     );
     // One of several.
     let message = refused(&folder, "reconstruct A.toml case.txt --format csv -o case.txt", None);
@@ -134,7 +134,7 @@ fn links_to_the_case_are_the_case() {
     // A plot with the name of a link.
     fs::hard_link(folder.join("case.txt"), folder.join("tornado-vehicle1.speed.svg")).unwrap();
     let message = refused(&folder, "uncertainty case.txt --samples 100 --plots .", None);
-    assert!(message.contains("--plots . would write over ./tornado-vehicle1.speed.svg"), "{message}");
+    assert!(message.contains("--plots . would overwrite ./tornado-vehicle1.speed.svg"), "{message}");
     std::os::unix::fs::symlink("A.toml", folder.join("deltav.1")).unwrap();
     refused(&folder, "man --output-dir .", None);
     std::os::unix::fs::symlink("A.toml", folder.join("reconstructed-speed.svg")).unwrap();
@@ -153,7 +153,7 @@ fn no_command_writes_over_another_case() {
         "uncertainty case.txt --samples 100 --samples-out A.toml",
     ] {
         let message = refused(&folder, arguments, None);
-        assert!(message.contains("A.toml would write over a .toml file that exists"), "{message}");
+        assert!(message.contains("A.toml would overwrite a .toml file that exists"), "{message}");
     }
     // A file that does not exist cannot be lost, and a report may be written again.
     for _ in 0..2 {
@@ -197,7 +197,7 @@ fn what_else_is_read_is_not_written_over() {
     fs::write(folder.join("plan.png"), "a picture").unwrap();
     for arguments in ["validate --field pairs.csv -o pairs.csv", "validate --field pairs.csv -o ./pairs.csv"]
     {
-        assert!(refused(&folder, arguments, None).contains("would write over the table pairs.csv"));
+        assert!(refused(&folder, arguments, None).contains("would overwrite the table pairs.csv"));
     }
     for command in [
         "reconstruct plan.toml -o plan.png",
@@ -207,7 +207,7 @@ fn what_else_is_read_is_not_written_over() {
         "uncertainty plan.toml --samples-out plan.png",
     ] {
         let message = refused(&folder, command, None);
-        assert!(message.contains("would write over the site plan plan.png"), "{command}: {message}");
+        assert!(message.contains("would overwrite the site plan plan.png"), "{command}: {message}");
     }
     assert_eq!(fs::read_to_string(folder.join("plan.png")).unwrap(), "a picture");
     assert_eq!(fs::read_to_string(folder.join("pairs.csv")).unwrap(), "CASEID\n1\n");

@@ -69,7 +69,7 @@ fn a_drawing_is_not_written_over_its_plan() {
         let draw = ["draw", case, "--what", "motion", "-o", "./plan.png"];
         let (status, _, errors) = run(&folder, &[&draw[..], options].concat());
         assert_eq!(status, Some(2), "{errors}");
-        assert!(errors.contains("would write over the site plan"), "{errors}");
+        assert!(errors.contains("would overwrite the site plan"), "{errors}");
         assert_eq!(fs::read(folder.join("plan.png")).unwrap(), before);
     }
 }

@@ -135,7 +135,7 @@ fn an_output_does_not_replace_the_table_or_the_template() {
     ] {
         let output = deltav(&arguments);
         assert_eq!(output.status.code(), Some(2));
-        assert!(String::from_utf8(output.stderr).unwrap().contains("would write over"));
+        assert!(String::from_utf8(output.stderr).unwrap().contains("would overwrite"));
     }
     assert_eq!(fs::read_to_string(&path).unwrap(), "id\n1\n");
 }
@@ -218,7 +218,7 @@ fn a_wrong_row_costs_that_row_alone() {
         (1, "wrong.csv:3: the row has 2 fields, and the header has 3: it ends before the column \"note\""),
         (
             2,
-            "wrong.csv:4: the row has 4 fields, and the header has 3: \"c\" stands beyond the last column, \"note\"",
+            "wrong.csv:4: the row has 4 fields, and the header has 3: \"c\" is beyond the last column, \"note\"",
         ),
         (3, "wrong.csv:5: the column \"note\" is not UTF-8 text"),
     ] {

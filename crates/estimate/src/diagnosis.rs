@@ -152,7 +152,7 @@ pub enum SamplerDoubt {
     )]
     FewAncestors(Mode),
     /// Many particles that no move has changed.
-    #[error("{:.0} % of the particles stood still at the end: hardly any move is accepted", 100.0 * .unmoved)]
+    #[error("{:.0} % of the particles did not move at the end: hardly any move is accepted", 100.0 * .unmoved)]
     StoodStill {
         /// (–) fraction of the particles.
         unmoved: f64,

@@ -85,7 +85,7 @@ fn particles_that_stand_still_are_told() {
     let Verdict::NotConverged(doubts) = found.verdict() else { panic!("{:?}", found.diagnosis()) };
     assert!(doubts.iter().any(|doubt| matches!(doubt, SamplerDoubt::StoodStill { .. })), "{doubts:?}");
     let words = doubts.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-    assert!(words.contains("of the particles stood still at the end"), "{words}");
+    assert!(words.contains("of the particles did not move at the end"), "{words}");
 }
 
 /// Limits that leave 2e-4 and 3e-5 of the prior.

@@ -128,7 +128,7 @@ impl Pair {
             String::new(),
             "[impact]".to_owned(),
             format!("crush_plane = {}", angle(layout.crush_plane, layout.crush_plane_sd)),
-            "# An estimate takes neither for certain: it assumes what such collisions have.".to_owned(),
+            "# An estimate takes neither as certain: it assumes what is usual in such collisions.".to_owned(),
             "restitution = 0.1".to_owned(),
             "tangential = \"critical\"".to_owned(),
             String::new(),

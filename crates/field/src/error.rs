@@ -106,9 +106,7 @@ pub enum FieldError {
     #[error("no recorder of the file stored both MAXDVLONG and MAXDVLAT, of 8 km/h or more together")]
     NoDirections,
     /// The fit finds no maximum.
-    #[error(
-        "the likelihood of the recorders has no maximum that the fit finds: more pairs or more particles help"
-    )]
+    #[error("the fit found no maximum of the likelihood of the recorders: use more pairs or more particles")]
     NoMaximum,
     /// The run was ended before there were results.
     #[error("it was ended before there were figures")]

@@ -60,8 +60,8 @@ pub enum InvalidInput {
     },
     /// An acceleration with the wrong sign for a change of speed, or zero between two speeds.
     #[error(
-        "an acceleration of {acceleration} m/s² does not lead from {from:.2} m/s to {to:.2} m/s; it must be positive where \
-         the vehicle gains speed and negative where it loses speed"
+        "an acceleration of {acceleration} m/s² does not take the vehicle from {from:.2} m/s to {to:.2} m/s; \
+         it must be positive if the vehicle gains speed and negative if it loses speed"
     )]
     NotReached {
         /// (m/s) the speed where the stretch begins.
@@ -73,8 +73,8 @@ pub enum InvalidInput {
     },
     /// A stretch of constant acceleration that would begin in reverse.
     #[error(
-        "a stretch that ends at {end:.2} m/s would have gained more speed than that, so that it cannot have begun with \
-         the vehicle standing or moving forward"
+        "a stretch that ends at {end:.2} m/s would have gained more speed than that, so \
+         the vehicle would have begun it in reverse"
     )]
     GainsMore {
         /// (m/s) the speed where it ends.

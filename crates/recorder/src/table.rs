@@ -363,7 +363,7 @@ pub enum TextRefusal {
         begins: String,
     },
     /// Quantities without times.
-    #[error("{place}: \"{heading}\" stands here without times: copy the column or row of times, too")]
+    #[error("{place}: \"{heading}\" has no times here: copy the column or row of times, too")]
     NoTime {
         /// The first heading.
         heading: String,

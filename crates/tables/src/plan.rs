@@ -200,7 +200,7 @@ fn role(field: &Field) -> Result<Role, TableError> {
         column: field.name().clone(),
         help: format!(
             "the parts of a key have dots or two underscores between them, as \"{0}.{rest}\" or \
-             \"{0}__{rest}\", and a unit stands in brackets, as \"vehicle1.mass [kg]\", or at the end, as \
+             \"{0}__{rest}\", and the unit is in brackets, as \"vehicle1.mass [kg]\", or at the end, as \
              \"vehicle1__mass__kg\"",
             table.name
         ),

@@ -31,7 +31,7 @@ const ENERGY: f64 = 0.01;
 const KNOWN_STIFFNESS: [u8; 4] = [1, 6, 7, 12];
 
 const STIFFNESS_UNKNOWN: &str = "the paper does not state its stiffness, and none was found that gives its row from the published profile: \
-     the energy from the profile and the one that the row implies stand side by side under Reconstruction";
+     the energy from the profile and the one that the row implies are shown side by side under Reconstruction";
 const SPLIT_OF_PROFILES: &str = "each vehicle's energy has a correction of its own, and the profiles share \
                                  the energy between the vehicles in another ratio than the paper's Table 3";
 const SPLIT_UNKNOWN: &str = "the test is not in the paper's Table 3, which would show how the energy was shared between the vehicles: it is \

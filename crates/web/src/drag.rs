@@ -165,9 +165,7 @@ impl Change {
                 let point = handle.key(&format!("after.points[{}]", handle.index() + 1));
                 self.put_place(&point, [x, axes.lateral(y)])
             }
-            kind => {
-                Err(Refused::message(format!("nothing of the case is moved by \"{}\"", case::shown(kind))))
-            }
+            kind => Err(Refused::message(format!("\"{}\" moves nothing in the case", case::shown(kind)))),
         }
     }
 

@@ -8,7 +8,7 @@ pub(crate) fn form() -> Value {
     let top = json!({
         "key": "",
         "title": "Case",
-        "help": "What stands at the head of every report.",
+        "help": "The head of every report.",
         "fields": fields(case, "", false),
         "groups": [],
     });

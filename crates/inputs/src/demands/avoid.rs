@@ -32,12 +32,12 @@ const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\"
 const DECELERATION: &str = "`deceleration`, as in deceleration = { value = \"7.5 m/s^2\", source = \"…\" }: the friction of the ground times g where \
      the wheels lock or ABS works, about 6 to 8 m/s^2 on dry asphalt (EDCRASH manual: friction 0.55 to 0.80 where it is travelled)";
 const DEMAND: &str = "`demand`, where or when the danger could first be recognized: demand = { distance = \"30 m\" } of this vehicle before \
-     the impact, { time = \"2.1 s\" }, by the way of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }, \
+     the impact, { time = \"2.1 s\" }, by the approach of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }, \
      or by what hides it: { sight = true }";
 const OBSTACLE: &str = "`[[avoid.obstacle]]`, what hides the other party, as in polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, \
      { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]; without one, give `demand` by distance or time";
 const LIMIT: &str =
-    "`limit`, the speed for which you ask, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
+    "`limit`, the speed to ask about, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
 
 /// The sine of 5°: two vehicles whose headings differ by less travel along one line.
 const LEAST_SINE: f64 = 0.087;
@@ -353,7 +353,7 @@ impl Demand<'_, f64> {
                 self.missing(
                     "avoid.speed",
                     "`speed` in [avoid], that at the reaction demand, as in speed = \"62 km/h\"; \
-                     or describe the vehicle, and its damage or marks tell the speed",
+                     or describe the vehicle, so that its damage or marks give the speed",
                 );
             }
             _ => {}
@@ -363,7 +363,7 @@ impl Demand<'_, f64> {
             && avoid.speed.is_none()
         {
             let reason = format!(
-                "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
+                "[{table}] did not move forward at the impact, so its driver could not have avoided it by braking"
             );
             let advice = format!("ask about the other: vehicle = \"{}\"", super::table(vehicle.other()));
             self.refuse(format_args!("{table}.speed"), reason, advice);
@@ -380,7 +380,7 @@ impl Demand<'_, f64> {
             self.refuse("avoid.unbraked", reason, format!("remove it, or `{path}`"));
         }
         if matches!(skid.begin, SkidBegin::From(_)) {
-            let reason = "[avoid] needs the length of the skid, and not the place where it began";
+            let reason = "[avoid] needs the length of the skid, not the place where it began";
             self.refuse(&path, reason, "write skid = { length = \"18 m\", friction = 0.7 }");
         }
         if skid.friction.is_none() && self.case.surface.is_none() {
@@ -409,11 +409,11 @@ impl Demand<'_, f64> {
         let is_sought = self.case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
         if leads_on && (is_sought || given.motion.is_some()) {
             let reason = format!(
-                "the first phase tells the speed at the impact, and [{}] does, too",
+                "the first phase gives the speed at the impact, and so does [{}]",
                 if is_sought { "reconstruct" } else { table }
             );
-            let advice = "remove `speed`, `distance` or `time` from the first phase: the speed at the impact then leads back \
-                          through the phases";
+            let advice = "remove `speed`, `distance` or `time` from the first phase: the program then works back \
+                          through the phases from the speed at the impact";
             self.refuse(format_args!("{path}[1]"), reason, advice);
         }
         for (index, phase) in given.phases().iter().enumerate() {
@@ -427,13 +427,13 @@ impl Demand<'_, f64> {
                 continue;
             }
             let reason = if leads_on {
-                "the first phase tells the speed at its end, so that this one needs two of `distance`, `time` and `acceleration`, \
+                "the first phase gives the speed at its end, so this phase needs two of `distance`, `time` and `acceleration`, \
                  and no `speed`"
             } else {
                 "a phase needs two of `distance`, `time`, `acceleration` and `speed`, the speed where it begins"
             };
             let advice = "as in { distance = \"12 m\", acceleration = \"-4 m/s^2\" }; the first phase may have `speed` and two more \
-                          where nothing else tells the speed at the impact, such as { speed = \"0 km/h\", acceleration = \"1.5 m/s^2\", \
+                          if nothing else gives the speed at the impact, such as { speed = \"0 km/h\", acceleration = \"1.5 m/s^2\", \
                           distance = \"7.7 m\" }";
             self.refuse(format_args!("{path}[{}]", index + 1), reason, advice);
         }
@@ -444,9 +444,8 @@ impl Demand<'_, f64> {
         if self.case.clear_speed(avoid, clear).is_none() {
             self.missing(
                 "avoid.clear.speed",
-                "`speed`, how fast the other party would have gone on, as in speed = \"1.4 m/s\": it is known \
-                 without it only if `demand` says by `other` how it came, or the table of its vehicle gives its speed, \
-                 or the speed of the vehicle that you ask about is to be found, too",
+                "`speed`, the other party's speed on its way out, as in speed = \"1.4 m/s\". You can leave it out only \
+                 if `demand` gives the other party's approach as `other`, if the table of its vehicle gives its speed, or if the speed of the vehicle that you ask about is to be found, too",
             );
         }
         if clear.way == GivenWayOut::Outlines {
@@ -493,7 +492,7 @@ impl Demand<'_, f64> {
         let Some(form) = case.outlines_form() else {
             self.missing(
                 format_args!("{}.contact", table(subject)),
-                "`contact` of both vehicles, or `position` of both: one of each does not tell where they are",
+                "`contact` of both vehicles, or `position` of both: one of each does not give their positions",
             );
             return;
         };

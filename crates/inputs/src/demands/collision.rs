@@ -12,7 +12,7 @@ use crate::form::PlacedContact;
 use crate::vehicle::{GivenVehicle, Velocity};
 
 const SPEED_FORMS: &str =
-    "`speed = \"10 mph\"` along the heading, or `velocity` by its parts `x` and `y` in the scene";
+    "`speed = \"10 mph\"` along the heading, or `velocity` by its components `x` and `y` in the scene";
 
 impl<T: Real> Demand<'_, T> {
     /// (m) C forward and left of the CG.
@@ -80,8 +80,7 @@ impl<T: Real> Demand<'_, T> {
             {
                 let other = sought.other();
                 let reason = format!(
-                    "`find` seeks the speed of vehicle {sought}, which the case gives, and not that of vehicle {other}, \
-                     which it does not give"
+                    "`find` asks for the speed of vehicle {sought}, which the case gives; it does not give that of vehicle {other}"
                 );
                 let advice = format!("write find = \"vehicle{other}.speed\"");
                 self.refuse("reconstruct.find", reason, advice);

@@ -375,7 +375,7 @@ impl<T: Real> Demand<'_, T> {
                 None => self.missing_departure(id),
                 Some(Departure { yaw_rate: None, .. }) => self.missing(
                     format_args!("{table}.after.yaw_rate"),
-                    "the yaw rate just after the impact, `yaw_rate = \"90 deg/s\"`, which is \"0 deg/s\" where the vehicle did not turn",
+                    "the yaw rate just after the impact, `yaw_rate = \"90 deg/s\"`, which is \"0 deg/s\" if the vehicle did not turn",
                 ),
                 Some(_) => {}
             }
@@ -536,7 +536,7 @@ impl<T: Real> Demand<'_, T> {
         let drag = self.given(
             after.drag,
             format_args!("{}.after.drag", table(id)),
-            "what slowed the wheels: `drag = 0.01` where all rolled freely, `drag = \"locked\"` where none turned, or, front left, front right, \
+            "what slowed the wheels: `drag = 0.01` if all rolled freely, `drag = \"locked\"` if none turned, or, front left, front right, \
              rear left, rear right, `drag = [0.01, \"locked\", 0.01, 0.01]`",
         )?;
         Some(drag.wheels().map(|wheel| match wheel {

@@ -107,7 +107,7 @@ impl<T: Real> Demand<'_, T> {
             return Some(InertiaData { mass: mass?, yaw_inertia: None, yaw_source: YawSource::Unknown });
         }
         if vehicle.kind.unwrap_or_default() != VehicleKind::Car {
-            let even = "√((l² + w²)/12) is that of a body of length l and width w that is loaded evenly";
+            let even = "√((l² + w²)/12) is the value for a body of length l and width w with evenly distributed mass";
             let example = match form.body.map(|body| body.quantities().map(|quantity| quantity.si().value()))
             {
                 Some([length, width, _]) => {
