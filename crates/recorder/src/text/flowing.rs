@@ -282,6 +282,13 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
         segment.heads.drain(..time);
     }
     let width = segment.heads.len();
+    // A dash alone is a missing value, unless the rows only fit their heading if it is a minus.
+    if segment.lines.iter().any(|line| line.len() != width) {
+        let joined: Vec<Vec<Token>> = segment.lines.iter().map(|line| with_minuses(line)).collect();
+        if joined.iter().all(|line| line.len() == width) {
+            segment.lines = joined;
+        }
+    }
     let counts: Vec<usize> = segment.lines.iter().map(Vec::len).collect();
     let whole = counts.iter().all(|count| *count == width);
     let flat = segment.flat();
@@ -327,6 +334,22 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
         }
     }
     Ok(RawTable { layout, columns, ignored: segment.unread })
+}
+
+/// The values of a line, with each minus joined to the number after it: `- 5.0`.
+fn with_minuses(line: &[Token]) -> Vec<Token> {
+    let mut joined: Vec<Token> = Vec::with_capacity(line.len());
+    for token in line {
+        match joined.last_mut() {
+            Some(minus)
+                if minus.text == "-" && number(&token.text, false).is_some_and(|value| value >= 0.0) =>
+            {
+                *minus = Token { text: format!("-{}", token.text), place: minus.place, ..token.clone() };
+            }
+            _ => joined.push(token.clone()),
+        }
+    }
+    joined
 }
 
 /// The values of the first line that has another number of them than the heading.
