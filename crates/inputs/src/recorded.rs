@@ -216,11 +216,11 @@ impl OfTables for CrashPulse {
 pub struct GivenSpeedErrors {
     /// (m/s) step in which speeds are stored.
     pub step: Option<Quantity>,
-    /// (%) fraction that a speed reads low while the wheels roll.
+    /// (%) relative error by which a stored speed is too low while the wheels roll.
     pub steady_low: Option<f64>,
     /// (%) standard deviation of that share.
     pub steady_sd: Option<f64>,
-    /// (%) standard deviation of the fraction that worn or different tyres change a speed.
+    /// (%) standard deviation of the relative error of a speed with worn or different tyres.
     pub tyre_sd: Option<f64>,
     /// (m/s) how much a speed reads low in hard braking.
     pub slip_low: Option<Quantity>,

@@ -16,12 +16,12 @@ const KMH: f64 = 1.0 / 3.6;
 pub struct ImpactSpeedErrors {
     /// (m/s) step in which speeds are stored, to the nearest: 1 km/h in 49 CFR 563 and UN R160.
     pub step: f64,
-    /// (1) fraction that the speed reads low while the wheels roll: 1.4 % on average (18 runs of a 2010 Ford
-    /// Flex against GPS, steady at 113 km/h).
+    /// (1) relative error by which a stored speed is too low while the wheels roll: 1.4 % on average (18 runs
+    /// of a 2010 Ford Flex against GPS, steady at 113 km/h).
     pub steady_low: f64,
     /// (1) standard deviation of that share: 0.43 %, from "within 2.5 % at 99 %" of the same runs.
     pub steady_sd: f64,
-    /// (1) standard deviation of the fraction that worn or different tyres change the speed: 0.7 %. 7 mm of
+    /// (1) standard deviation of the relative error of the speed with worn or different tyres: 0.7 %. 7 mm of
     /// tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
     pub tyre_sd: f64,
     /// (m/s) how much the speed reads low in hard braking with ABS at work: 3 km/h on average over the same
