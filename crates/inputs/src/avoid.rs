@@ -8,12 +8,12 @@ use recorder::SampledApproach;
 use time_distance::{Advance, Swell};
 
 use crate::after::PhaseForm;
+use crate::choices;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
 use crate::way_out::ClearForm;
-use crate::words::words;
 
 /// `avoid.vehicle`.
 pub const SUBJECTS: [(&str, VehicleId); 2] = [("vehicle1", VehicleId::One), ("vehicle2", VehicleId::Two)];
@@ -174,18 +174,18 @@ pub enum GivenWayOut<T = f64> {
     Outlines,
 }
 
-/// What the other party is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OtherParty {
-    /// `"pedestrian"`.
-    Pedestrian,
-    /// `"cyclist"`.
-    Cyclist,
-    /// `"vehicle"`.
-    Vehicle,
+choices! {
+    /// What the other party is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum OtherParty {
+        /// `"pedestrian"`.
+        Pedestrian = "pedestrian",
+        /// `"cyclist"`.
+        Cyclist = "cyclist",
+        /// `"vehicle"`.
+        Vehicle = "vehicle",
+    }
 }
-
-words!(OtherParty: "pedestrian" Pedestrian, "cyclist" Cyclist, "vehicle" Vehicle);
 
 /// The numbers of the question whether the collision was avoidable, on any numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -227,16 +227,16 @@ pub struct AvoidBasis {
     pub(crate) along: Option<Along>,
 }
 
-/// How another vehicle moves along the line of the one that is asked about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    /// `"ahead"`: in the same direction.
-    Ahead,
-    /// `"oncoming"`: towards it.
-    Oncoming,
+choices! {
+    /// How another vehicle moves along the line of the one that is asked about.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Along {
+        /// `"ahead"`: in the same direction.
+        Ahead = "ahead",
+        /// `"oncoming"`: towards it.
+        Oncoming = "oncoming",
+    }
 }
-
-words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 
 /// How far from the line of one vehicle another one moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
