@@ -18,7 +18,7 @@ use ::uncertainty::{SamplingMethod, Settings, random};
 use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, Faults, Find,
-    GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, format_number, is_of_avoid,
+    GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, choices, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -122,35 +122,22 @@ pub struct Avoidance {
     told: Option<Arc<Told>>,
 }
 
-/// Where the speed of the vehicle comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SpeedSource {
-    /// `speed` of `[avoid]`.
-    AtDemand,
-    /// `speed` of the vehicle.
-    AtImpact,
-    /// The exact solution of the collision.
-    Reconstructed,
-    /// The median by all evidence.
-    Estimated,
-    /// The phases before the impact, which begin with a known speed.
-    Phases,
-    /// The table of its recorder alone.
-    Recorder,
-}
-
-impl SpeedSource {
-    /// Its word in results: the table or the command that gives the speed.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::AtDemand => "avoid",
-            Self::AtImpact => "vehicle",
-            Self::Reconstructed => "reconstruct",
-            Self::Estimated => "estimate",
-            Self::Phases => "phases",
-            Self::Recorder => "recorder",
-        }
+choices! {
+    /// Where the speed of the vehicle comes from.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum SpeedSource {
+        /// `speed` of `[avoid]`.
+        AtDemand = "avoid",
+        /// `speed` of the vehicle.
+        AtImpact = "vehicle",
+        /// The exact solution of the collision.
+        Reconstructed = "reconstruct",
+        /// The median by all evidence.
+        Estimated = "estimate",
+        /// The phases before the impact, which begin with a known speed.
+        Phases = "phases",
+        /// The table of its recorder alone.
+        Recorder = "recorder",
     }
 }
 

@@ -3,11 +3,11 @@
 
 use std::fmt::Display;
 
+use crate::choices;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
-use crate::words::words;
 
 /// Between impact and rest: how the vehicle could roll, its path, and how it left the impact.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,22 +91,20 @@ pub struct GivenRest<T = f64> {
     pub heading: RestHeading<T>,
 }
 
-/// A wheel that left a mark.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MarkedWheel {
-    /// `"front left"`.
-    FrontLeft,
-    /// `"front right"`.
-    FrontRight,
-    /// `"rear left"`.
-    RearLeft,
-    /// `"rear right"`.
-    RearRight,
-}
-
 // In the order of a vehicle's wheels.
-words! {
-    MarkedWheel: "front left" FrontLeft, "front right" FrontRight, "rear left" RearLeft, "rear right" RearRight
+choices! {
+    /// A wheel that left a mark.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum MarkedWheel {
+        /// `"front left"`.
+        FrontLeft = "front left",
+        /// `"front right"`.
+        FrontRight = "front right",
+        /// `"rear left"`.
+        RearLeft = "rear left",
+        /// `"rear right"`.
+        RearRight = "rear right",
+    }
 }
 
 /// A point that the centre of gravity of a vehicle passed, or one of its wheels.

@@ -8,12 +8,12 @@ use recorder::SampledApproach;
 use time_distance::{Advance, Swell};
 
 use crate::after::PhaseForm;
+use crate::choices;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
 use crate::way_out::ClearForm;
-use crate::words::words;
 
 /// `avoid.vehicle`.
 pub const SUBJECTS: [(&str, VehicleId); 2] = [("vehicle1", VehicleId::One), ("vehicle2", VehicleId::Two)];
@@ -175,18 +175,18 @@ pub enum GivenWayOut<T = f64> {
     Outlines,
 }
 
-/// What the other party is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OtherParty {
-    /// `"pedestrian"`.
-    Pedestrian,
-    /// `"cyclist"`.
-    Cyclist,
-    /// `"vehicle"`.
-    Vehicle,
+choices! {
+    /// What the other party is.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum OtherParty {
+        /// `"pedestrian"`.
+        Pedestrian = "pedestrian",
+        /// `"cyclist"`.
+        Cyclist = "cyclist",
+        /// `"vehicle"`.
+        Vehicle = "vehicle",
+    }
 }
-
-words!(OtherParty: "pedestrian" Pedestrian, "cyclist" Cyclist, "vehicle" Vehicle);
 
 /// The inputs of the question whether the collision was avoidable, in numbers of any type.
 #[derive(Clone, Debug, PartialEq)]
@@ -228,16 +228,16 @@ pub struct AvoidBasis {
     pub(crate) along: Option<Along>,
 }
 
-/// The other vehicle's motion along the line of the vehicle asked about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    /// `"ahead"`: in the same direction.
-    Ahead,
-    /// `"oncoming"`: towards it.
-    Oncoming,
+choices! {
+    /// The other vehicle's motion along the line of the vehicle asked about.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Along {
+        /// `"ahead"`: in the same direction.
+        Ahead = "ahead",
+        /// `"oncoming"`: towards it.
+        Oncoming = "oncoming",
+    }
 }
-
-words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 
 /// A vehicle's direction of travel relative to the line of the other.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,27 +1,25 @@
 //! The handedness of the axes of a case.
 
+use crate::choices;
 use crash3::Side;
 use pim_core::Real;
 
-use crate::words::words;
-
-/// The axes of the scene and of the vehicles in it, seen from above. The engine computes in
-/// [`ZUp`](Self::ZUp).
-///
-/// Each is the mirror image of the other: a lateral or rotational number changes its sign. Such numbers are
-/// angles except PDOF and α, yaw rates, y components, components along t, moments,
-/// and the ratio μ = P_t/P_n. Lengths, energies, normal components, restitution and friction are the same in
-/// both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Axes {
-    /// `"z-up"`: y to the left of x; angles and yaw rates counter-clockwise positive.
-    #[default]
-    ZUp,
-    /// `"z-down"`: y to the right of x; angles and yaw rates clockwise positive, as in SAE J670.
-    ZDown,
+choices! {
+    /// The axes of the scene and of the vehicles in it, seen from above. The engine computes in
+    /// [`ZUp`](Self::ZUp).
+    ///
+    /// Each is the mirror image of the other: a lateral or rotational number changes its sign. Such numbers
+    /// are angles except PDOF and α, yaw rates, y components, components along t, moments, and the ratio
+    /// μ = P_t/P_n. Lengths, energies, normal components, restitution and friction are the same in both.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Axes {
+        /// `"z-up"`: y to the left of x; angles and yaw rates counter-clockwise positive.
+        #[default]
+        ZUp = "z-up",
+        /// `"z-down"`: y to the right of x; angles and yaw rates clockwise positive, as in SAE J670.
+        ZDown = "z-down",
+    }
 }
-
-words!(Axes: "z-up" ZUp, "z-down" ZDown);
 
 impl Axes {
     /// Converts a lateral or rotational number from these axes to those of the engine, or back.

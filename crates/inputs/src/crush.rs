@@ -6,6 +6,7 @@ use std::fmt::Display;
 use crash3::{CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness};
 use pim_core::Real;
 
+use crate::choices;
 use crate::inertia::Mass;
 use crate::quantity::Quantity;
 use crate::text::Text;
@@ -164,19 +165,16 @@ pub struct GivenTest<T = f64> {
     pub fit: Fit,
 }
 
-/// How a stiffness is fitted to a barrier test.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fit {
-    /// Reproduces the kinetic energy of the test.
-    #[default]
-    Exact,
-    /// Through the mean crush: the common shortcut, which over-predicts.
-    Mean,
-}
-
-impl Fit {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
+choices! {
+    /// How a stiffness is fitted to a barrier test.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Fit {
+        /// Reproduces the kinetic energy of the test.
+        #[default]
+        Exact = "exact",
+        /// Through the mean crush: the common shortcut, which over-predicts.
+        Mean = "mean",
+    }
 }
 
 impl<T: Copy> StiffnessForm<T> {

@@ -3,9 +3,9 @@
 use pim_core::{InvalidInput, Law, Real, RestitutionCurve, Tangential, VaryingLaw};
 
 use crate::axes::Axes;
+use crate::choices;
 use crate::quantity::Quantity;
 use crate::walk::Walk;
-use crate::words::words;
 
 /// How the two vehicles met.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,21 +49,21 @@ pub enum ImpactLaw<T = f64> {
     },
 }
 
-/// An impact law without its coefficients.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LawName {
-    /// Brach's law, the default.
-    #[default]
-    Brach,
-    /// Woolley's.
-    Woolley,
-    /// Ishikawa's.
-    Ishikawa,
-    /// Kudlich's and Slibar's.
-    KudlichSlibar,
+choices! {
+    /// An impact law without its coefficients.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum LawName {
+        /// Brach's law, the default.
+        #[default]
+        Brach = "brach",
+        /// Woolley's.
+        Woolley = "woolley",
+        /// Ishikawa's.
+        Ishikawa = "ishikawa",
+        /// Kudlich's and Slibar's.
+        KudlichSlibar = "kudlich-slibar",
+    }
 }
-
-words!(LawName: "brach" Brach, "woolley" Woolley, "ishikawa" Ishikawa, "kudlich-slibar" KudlichSlibar);
 
 /// What happens along the crush plane under Brach's law. The other laws set their own conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]

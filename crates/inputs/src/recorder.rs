@@ -8,11 +8,11 @@ use std::sync::Arc;
 use recorder::{CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, PreCrash, PulseRule};
 
 use crate::axes::Axes;
+use crate::choices;
 use crate::quantity::{Quantity, format_number};
 use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors};
 use crate::scene::Place;
 use crate::walk::{Element, GivenValue, Key, Walk};
-use crate::words::words;
 
 /// The data of a vehicle's event data recorder.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -280,19 +280,19 @@ pub struct GivenEstimate {
     pub stood: Option<f64>,
 }
 
-/// The severity of a collision before the evidence.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SeverityPrior {
-    /// `"field"`: like that of collisions after which a vehicle was towed.
-    #[default]
-    Field,
-    /// `"serious-injury"`: like that of those among them in which somebody was seriously hurt.
-    SeriousInjury,
-    /// `"flat"`: any speed is as likely as any other.
-    Flat,
+choices! {
+    /// The severity of a collision before the evidence.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum SeverityPrior {
+        /// `"field"`: like that of collisions after which a vehicle was towed.
+        #[default]
+        Field = "field",
+        /// `"serious-injury"`: like that of those among them in which somebody was seriously hurt.
+        SeriousInjury = "serious-injury",
+        /// `"flat"`: any speed is as likely as any other.
+        Flat = "flat",
+    }
 }
-
-words!(SeverityPrior: "field" Field, "serious-injury" SeriousInjury, "flat" Flat);
 
 impl<U> Walk<'_, U> {
     pub(crate) fn exact_if(&mut self, path: &dyn Display, quantity: Option<&Quantity>) {

@@ -5,10 +5,10 @@ use std::fmt::Display;
 use pim_core::Vector2;
 use real::Real;
 
+use crate::choices;
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
-use crate::words::words;
 
 /// A point: in the scene, in the coordinates of its survey, or in a vehicle, from its centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,16 +91,16 @@ pub enum SurfaceRegion {
     Polygon(Vec<Place>),
 }
 
-/// One side of a line, going along it, seen from above.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EdgeSide {
-    /// `"left"`.
-    Left,
-    /// `"right"`.
-    Right,
+choices! {
+    /// One side of a line, going along it, seen from above.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum EdgeSide {
+        /// `"left"`.
+        Left = "left",
+        /// `"right"`.
+        Right = "right",
+    }
 }
-
-words!(EdgeSide: "left" Left, "right" Right);
 
 impl<U> Walk<'_, U> {
     pub(crate) fn place(&mut self, path: &dyn Display, place: &Place) -> Place<U> {

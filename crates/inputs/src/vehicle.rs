@@ -7,6 +7,7 @@ use pim_core::{Motion, Real, Vector2};
 
 use crate::after::{After, Before, GivenPhase, Skid};
 use crate::axes::Axes;
+use crate::choices;
 use crate::crush::{Crush, KnownEnergy};
 use crate::dimensions::Dimensions;
 use crate::inertia::{Mass, YawInertia};
@@ -15,23 +16,22 @@ use crate::recorder::{CertainSpeed, Recorder};
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Key, Walk};
-use crate::words::words;
 
-/// The kind of a vehicle: its plausible sizes, the tables that apply to it and its drawing depend on it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum VehicleKind {
-    /// `"car"`: a car, a van or a pickup.
-    #[default]
-    Car,
-    /// `"heavy-truck"`: a lorry, a bus, or a tractor with its semitrailer, taken as one rigid body.
-    HeavyTruck,
-    /// `"trailer"`: a trailer or semitrailer alone.
-    Trailer,
-    /// `"motorcycle"`: a motorcycle, a scooter or a moped.
-    Motorcycle,
+choices! {
+    /// The kind of a vehicle: its plausible sizes, the tables that apply to it and its drawing depend on it.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum VehicleKind {
+        /// `"car"`: a car, a van or a pickup.
+        #[default]
+        Car = "car",
+        /// `"heavy-truck"`: a lorry, a bus, or a tractor with its semitrailer, taken as one rigid body.
+        HeavyTruck = "heavy-truck",
+        /// `"trailer"`: a trailer or semitrailer alone.
+        Trailer = "trailer",
+        /// `"motorcycle"`: a motorcycle, a scooter or a moped.
+        Motorcycle = "motorcycle",
+    }
 }
-
-words!(VehicleKind: "car" Car, "heavy-truck" HeavyTruck, "trailer" Trailer, "motorcycle" Motorcycle);
 
 /// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. Every value is optional here; each
 /// computation reports the values that it needs and does not find.

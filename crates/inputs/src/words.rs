@@ -23,22 +23,48 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 pub const UNKNOWNS: [(&str, VehicleId); 2] =
     [("vehicle1.speed", VehicleId::One), ("vehicle2.speed", VehicleId::Two)];
 
-/// The words of an enum, `WORDS`, and `name`, that of a value.
-macro_rules! words {
-    ($of:ident: $($word:literal $choice:ident),+ $(,)?) => {
-        impl $of {
+/// An enum of choices, each with its word. `ALL` are the choices in their order, `WORDS` are the same with
+/// their words, and `name` is the word of a value.
+///
+/// ```
+/// inputs::choices! {
+///     /// A way to travel.
+///     #[derive(Clone, Copy, Debug, PartialEq)]
+///     pub enum Way {
+///         /// Along the road.
+///         Along = "along",
+///         /// Across it.
+///         Across = "across",
+///     }
+/// }
+/// assert_eq!((Way::Across.name(), Way::WORDS[0]), ("across", ("along", Way::Along)));
+/// ```
+#[macro_export]
+macro_rules! choices {
+    (
+        $(#[$of_enum:meta])*
+        pub enum $name:ident { $($(#[$of_choice:meta])* $choice:ident = $word:literal),+ $(,)? }
+    ) => {
+        $(#[$of_enum])*
+        pub enum $name { $($(#[$of_choice])* $choice),+ }
+
+        impl $name {
+            /// All of them, in their order.
+            pub const ALL: [Self; [$($word),+].len()] = [$(Self::$choice),+];
+
             /// Each with its word.
-            pub const WORDS: [(&str, Self); [$($word),+].len()] = [$(($word, Self::$choice)),+];
+            pub const WORDS: [(&'static str, Self); [$($word),+].len()] = [$(($word, Self::$choice)),+];
 
             /// Its word.
             #[must_use]
-            pub fn name(self) -> &'static str {
-                $crate::words::word(&Self::WORDS, &self)
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$choice => $word),+
+                }
             }
         }
     };
 }
-pub(crate) use words;
 
 /// Only the words of a table.
 #[must_use]

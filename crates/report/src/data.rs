@@ -64,19 +64,37 @@ fn followed(mut object: Value, more: Value) -> Value {
     object
 }
 
-/// An object that leaves out those of these keys that have no value: null, or an empty text or list.
-fn optional<const N: usize>(keys: [&str; N], object: Value) -> Value {
-    kept(object, |key, value| !keys.contains(&key) || has_value(value))
+/// An object of `"key": value` pairs, in their order. A key with a question mark is left out if it has no
+/// value: null, or an empty text or list. `of.{a, b}` stands for the fields of a value under their own names.
+macro_rules! object {
+    (@ $object:ident $(,)?) => {};
+    (@ $object:ident $key:literal? : $value:expr, $($rest:tt)*) => {
+        let value = serde_json::json!($value);
+        if $crate::data::has_value(&value) {
+            $object.insert($key.to_owned(), value);
+        }
+        $crate::data::object!(@ $object $($rest)*);
+    };
+    (@ $object:ident $key:literal : $value:expr, $($rest:tt)*) => {
+        $object.insert($key.to_owned(), serde_json::json!($value));
+        $crate::data::object!(@ $object $($rest)*);
+    };
+    (@ $object:ident $of:ident.{ $($field:ident),+ }, $($rest:tt)*) => {
+        $($object.insert(stringify!($field).to_owned(), serde_json::json!($of.$field));)+
+        $crate::data::object!(@ $object $($rest)*);
+    };
+    ($($pairs:tt)*) => {{
+        let mut object = serde_json::Map::new();
+        $crate::data::object!(@ object $($pairs)*,);
+        serde_json::Value::Object(object)
+    }};
 }
+use object;
 
 /// An object that leaves out all keys without a value.
-fn present(object: Value) -> Value {
-    kept(object, |_, value| has_value(value))
-}
-
-fn kept(mut object: Value, is_kept: impl Fn(&str, &Value) -> bool) -> Value {
+fn present(mut object: Value) -> Value {
     if let Value::Object(object) = &mut object {
-        object.retain(|key, value| is_kept(key, value));
+        object.retain(|_, value| has_value(value));
     }
     object
 }

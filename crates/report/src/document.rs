@@ -199,21 +199,29 @@ impl Column {
 pub(crate) const NONE: &str = "–";
 
 impl Table {
-    pub(crate) fn new(title: impl Into<String>, columns: impl Into<Vec<Column>>) -> Self {
-        Self { title: title.into(), columns: columns.into(), rows: Vec::new(), notes: Vec::new() }
+    /// A table without columns yet.
+    pub(crate) fn new(title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..Self::default() }
     }
 
-    /// A table of values for both vehicles, or for any two things, with their source.
+    /// With these columns.
+    pub(crate) fn columns(self, columns: impl Into<Vec<Column>>) -> Self {
+        Self { columns: columns.into(), ..self }
+    }
+
+    /// A table of values for both vehicles, each row with its source.
+    pub(crate) fn of_vehicles(title: &str) -> Self {
+        Self::of_two(title, ["vehicle 1", "vehicle 2", "source"])
+    }
+
+    /// A table of values for any two things, with their source.
     pub(crate) fn of_two(title: &str, [first, second, source]: [&str; 3]) -> Self {
-        Self::new(
-            title,
-            [
-                Column::words("", 32),
-                Column::words(first, Width::Share),
-                Column::words(second, Width::Share),
-                Column::words(source, 12),
-            ],
-        )
+        Self::new(title).columns([
+            Column::words("", 32),
+            Column::words(first, Width::Share),
+            Column::words(second, Width::Share),
+            Column::words(source, 12),
+        ])
     }
 
     pub(crate) fn cells(&mut self, cells: impl IntoIterator<Item = String>) {

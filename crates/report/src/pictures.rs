@@ -26,7 +26,7 @@ use ::drawing::Drawing;
 use ::drawing::{Axis, PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
 use analysis::quantities::SPEED;
 use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Weighed};
-use case::{Axes, Case, CaseFile, Faults, Purpose, Quantity};
+use case::{Axes, Case, CaseFile, Faults, Purpose, Quantity, choices};
 use pim_core::{Real, VehicleId};
 
 use crate::Units;
@@ -34,51 +34,28 @@ use crate::estimates::{contradictions, told_speed};
 use crate::units::Measure;
 use crate::words::{self, title};
 
-/// What to draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
-    /// Plan view at impact: outlines, contact point, crush plane, impulse, velocities, PDOF.
-    Scene,
-    /// Each damaged vehicle with its crush profile in place.
-    Damage,
-    /// Work of the normal impulse over the speed sought, with the crush energy.
-    Reconciliation,
-    /// Where the initial kinetic energy went.
-    Energy,
-    /// Plan view of both vehicles from the approach through the impact to rest.
-    Motion,
-    /// Speed, yaw rate and heading of both vehicles over time, from the impact to rest.
-    MotionCurves,
-    /// The momenta of both vehicles before and after the impact, tip to tail.
-    Momentum,
+choices! {
+    /// What to draw, in the order of a report. Its name is that on the command line, and [`Drawing::name`].
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Subject {
+        /// Plan view at impact: outlines, contact point, crush plane, impulse, velocities, PDOF.
+        Scene = "scene",
+        /// Plan view of both vehicles from the approach through the impact to rest.
+        Motion = "motion",
+        /// Speed, yaw rate and heading of both vehicles over time, from the impact to rest.
+        MotionCurves = "motion-curves",
+        /// The momenta of both vehicles before and after the impact, tip to tail.
+        Momentum = "momentum",
+        /// Each damaged vehicle with its crush profile in place.
+        Damage = "damage",
+        /// Work of the normal impulse over the speed sought, with the crush energy.
+        Reconciliation = "reconciliation",
+        /// Where the initial kinetic energy went.
+        Energy = "energy",
+    }
 }
 
 impl Subject {
-    /// All of them, in the order of a report.
-    pub const ALL: [Self; 7] = [
-        Self::Scene,
-        Self::Motion,
-        Self::MotionCurves,
-        Self::Momentum,
-        Self::Damage,
-        Self::Reconciliation,
-        Self::Energy,
-    ];
-
-    /// Its name on the command line, which is [`Drawing::name`] too.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Scene => "scene",
-            Self::Damage => "damage",
-            Self::Reconciliation => "reconciliation",
-            Self::Energy => "energy",
-            Self::Motion => "motion",
-            Self::MotionCurves => "motion-curves",
-            Self::Momentum => "momentum",
-        }
-    }
-
     /// The analysis of a case from which it is drawn: the furthest that the case allows or, if that does not
     /// have it, the motion after the impact or the geometry alone.
     ///

@@ -137,28 +137,42 @@ fn group(title: impl Into<String>, steps: Vec<Step>) -> StepGroup {
     StepGroup { title: title.into(), steps }
 }
 
-/// A result with its equation.
-fn step(
-    name: impl Into<String>,
-    symbol: impl Into<String>,
-    formula: impl Into<String>,
+/// A result before its value: its name and symbol, and its equation if it has one.
+struct Unsolved {
+    name: String,
+    symbol: String,
+    formula: String,
     substitution: String,
-    value: f64,
-    unit: &'static str,
-    source: &'static str,
-) -> Step {
-    Step {
-        name: name.into(),
-        symbol: symbol.into(),
-        formula: formula.into(),
-        substitution,
-        value,
-        unit,
-        printed: String::new(),
-        repeated: None,
-        quantity: None,
-        input: None,
-        source,
+}
+
+/// A result, or a number of the case or of a table, under its name and symbol.
+fn step(name: impl Into<String>, symbol: impl Into<String>) -> Unsolved {
+    let (name, symbol) = (name.into(), symbol.into());
+    Unsolved { name, symbol, formula: String::new(), substitution: String::new() }
+}
+
+impl Unsolved {
+    /// Its equation's right side, in symbols and in numbers.
+    fn equals(self, formula: impl Into<String>, substitution: String) -> Self {
+        Self { formula: formula.into(), substitution, ..self }
+    }
+
+    /// The step with the value, in the unit of the equations, and its source.
+    fn is(self, value: f64, unit: &'static str, source: &'static str) -> Step {
+        let Self { name, symbol, formula, substitution } = self;
+        Step {
+            name,
+            symbol,
+            formula,
+            substitution,
+            value,
+            unit,
+            printed: String::new(),
+            repeated: None,
+            quantity: None,
+            input: None,
+            source,
+        }
     }
 }
 
@@ -172,15 +186,4 @@ fn course(case: &Case, k: VehicleId) -> (f64, String) {
     let course = case.courses()[k.index()].map_or(0.0, |course| case.axes.lateral(course));
     let is_ahead = course == heading(case, k);
     (course, if is_ahead { format!("θ_{k}") } else { format!("(θ_{k} + β_{k})") })
-}
-
-/// A number of the case or of a table, in the unit of the equations.
-fn given(
-    name: impl Into<String>,
-    symbol: impl Into<String>,
-    value: f64,
-    unit: &'static str,
-    source: &'static str,
-) -> Step {
-    step(name, symbol, "", String::new(), value, unit, source)
 }

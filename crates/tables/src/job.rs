@@ -1,42 +1,27 @@
 //! The task for the rows of a table, and its options.
 
 use analysis::EstimatePlan;
-use case::SeverityPrior;
+use case::{SeverityPrior, choices};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP, ParticleSettings};
 use uncertainty::MIN_SAMPLES;
 
 use crate::error::TableError;
 
-/// The task for each row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Job {
-    /// The speed that makes impact and crush agree: as `deltav reconstruct --exact`, and with samples as
-    /// `deltav uncertainty`.
-    Reconstruct,
-    /// The effect of the impact, with both speeds given: as `deltav impact`.
-    Impact,
-    /// Energies and ΔV from the damage alone: as `deltav crush`.
-    Crush,
-    /// Both speeds from all the evidence: as `deltav estimate`.
-    Estimate,
-    /// Whether the collision was avoidable: as `deltav avoid`.
-    Avoid,
-}
-
-impl Job {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 5] = [
-        ("reconstruct", Self::Reconstruct),
-        ("impact", Self::Impact),
-        ("crush", Self::Crush),
-        ("estimate", Self::Estimate),
-        ("avoid", Self::Avoid),
-    ];
-
-    /// Its word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        case::word(&Self::WORDS, &self)
+choices! {
+    /// The task for each row.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Job {
+        /// The speed that makes impact and crush agree: as `deltav reconstruct --exact`, and with samples as
+        /// `deltav uncertainty`.
+        Reconstruct = "reconstruct",
+        /// The effect of the impact, with both speeds given: as `deltav impact`.
+        Impact = "impact",
+        /// Energies and ΔV from the damage alone: as `deltav crush`.
+        Crush = "crush",
+        /// Both speeds from all the evidence: as `deltav estimate`.
+        Estimate = "estimate",
+        /// Whether the collision was avoidable: as `deltav avoid`.
+        Avoid = "avoid",
     }
 }
 

@@ -1,5 +1,7 @@
 //! Whether the other evidence agrees with each piece.
 
+use inputs::choices;
+
 use super::Estimated;
 use super::pieces::PieceFound;
 
@@ -14,15 +16,17 @@ fn times(count: usize) -> f64 {
     count as f64
 }
 
-/// The verdict of all other evidence on a piece.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Agreement {
-    /// It agrees.
-    Agrees,
-    /// It disagrees.
-    Doubtful,
-    /// It excludes the piece, at a level of one in a hundred.
-    Contradicts,
+choices! {
+    /// The verdict of all other evidence on a piece.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Agreement {
+        /// It agrees.
+        Agrees = "agrees",
+        /// It disagrees.
+        Doubtful = "doubtful",
+        /// It excludes the piece, at a level of one in a hundred.
+        Contradicts = "contradicts",
+    }
 }
 
 impl Agreement {
@@ -50,16 +54,6 @@ impl Agreement {
             found[place] = Some((agreement, greatest));
         }
         found
-    }
-
-    /// The word for it in data.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Agrees => "agrees",
-            Self::Doubtful => "doubtful",
-            Self::Contradicts => "contradicts",
-        }
     }
 }
 

@@ -5,7 +5,7 @@ use case::{CaseFile, SWELLS, word};
 use serde_json::{Value, json};
 
 use super::json::of_movable;
-use super::{identified, list, pretty, title};
+use super::{identified, list, object, pretty, title};
 use crate::sections::avoid::avoid_warnings;
 use crate::units::Units;
 use crate::words::run_words;
@@ -48,12 +48,10 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
         "demand": { "distance": scene.distance, "time": scene.time },
         "sight": sight(found),
         // A vehicle that moves on the same line; null if the place of the impact is fixed.
-        "same_line": scene.same_line.as_ref().map(|line| json!({
+        "same_line": scene.same_line.as_ref().map(|line| object! {
             "direction": line.along.name(),
-            "gap": line.gap,
-            "speed": line.speed,
-            "deceleration": line.deceleration,
-        })),
+            line.{gap, speed, deceleration},
+        }),
         "stopping_distance": scene.stopping_distance(),
         "spatial": of(scene.spatial(), scene.stops_at_limit()),
         "temporal": scene.temporal().zip(scene.is_late_at_limit()).map(|(speed, is)| of(speed, is)),
@@ -98,29 +96,23 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
 
 fn sight(found: &Avoidance) -> Option<Value> {
     let sight = found.scene.view.sight()?;
-    Some(json!({
-        "time": sight.time,
-        "distance_subject": sight.distance_subject,
-        "distance_other": sight.distance_other,
+    Some(object! {
+        sight.{time, distance_subject, distance_other},
         "hidden_by": found.hiding.and_then(|hiding| hiding.by).map(|index| index + 1),
         "seen_earlier": found.hiding.and_then(|hiding| hiding.seen_earlier),
-    }))
+    })
 }
 
 fn probability(chance: &AvoidChance) -> Value {
-    json!({
-        "avoided_at_limit": chance.avoided_at_limit,
-        "above_limit": chance.above_limit,
-        "mc_error": chance.mc_error,
-        "stopped_at_limit": chance.stopped_at_limit,
+    object! {
+        chance.{avoided_at_limit, above_limit, mc_error, stopped_at_limit},
         "avoided_at_limit_else_as_it_was": chance.avoided_else_as_it_was,
-        "samples": chance.samples,
-        "possible": chance.possible,
+        chance.{samples, possible},
         "influences": list(&chance.influences, |influence| json!({
             "input": influence.input.as_ref().map_or_else(|| "speed".to_owned(), crate::outputs::input_name),
             "difference": influence.difference,
         })),
-    })
+    }
 }
 
 fn intervals(chance: &AvoidChance) -> Value {

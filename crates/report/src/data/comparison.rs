@@ -11,7 +11,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::json::all_warnings;
-use super::{followed, identified, list, optional, present, pretty, title};
+use super::{followed, identified, list, object, present, pretty, title};
 use crate::failures::no_answer;
 use crate::law;
 use crate::units::{Measure, Units, number};
@@ -246,31 +246,25 @@ pub fn comparison_json(file: &CaseFile, comparison: &Comparison) -> Result<Strin
 /// The content of the JSON.
 pub(crate) fn document(case: &Case, comparison: &Comparison) -> Value {
     let by_evidence = |by: &ByEvidence| {
-        optional(
-            ["crush_energy"],
-            json!({
-                // (J) as measured.
-                "crush_energy": by.crush_energy,
-                "damage": evidence(&by.damage),
-                "momentum": evidence(&by.momentum),
-                "momentum_and_damage": evidence(&by.together),
-            }),
-        )
+        object! {
+            // (J) as measured.
+            "crush_energy"?: by.crush_energy,
+            "damage": evidence(&by.damage),
+            "momentum": evidence(&by.momentum),
+            "momentum_and_damage": evidence(&by.together),
+        }
     };
     let row = |row: Row| followed(json!({ "law": row.law }), present(json!(row)));
-    optional(
-        ["evidence", "left_aside"],
-        json!({
-            "title": title(case),
-            // The axes of the yaw rates and the signed coefficients.
-            "axes": case.axes.name(),
-            "rows": list(rows(case, comparison, Units::Si), row),
-            // The answers by damage, by momentum and by both.
-            "evidence": comparison.evidence.as_ref().map(by_evidence),
-            // Keys of evidence that the rows by law do not use.
-            "left_aside": comparison.own.left_aside,
-            // The warnings of the case itself.
-            "warnings": all_warnings(&comparison.own, case),
-        }),
-    )
+    object! {
+        "title": title(case),
+        // The axes of the yaw rates and the signed coefficients.
+        "axes": case.axes.name(),
+        "rows": list(rows(case, comparison, Units::Si), row),
+        // The answers by damage, by momentum and by both.
+        "evidence"?: comparison.evidence.as_ref().map(by_evidence),
+        // Keys of evidence that the rows by law do not use.
+        "left_aside"?: comparison.own.left_aside,
+        // The warnings of the case itself.
+        "warnings": all_warnings(&comparison.own, case),
+    }
 }

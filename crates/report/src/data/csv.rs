@@ -8,7 +8,7 @@ use case::{CaseFile, shown};
 use pim_core::VehicleId;
 use serde_json::Value;
 
-use super::{case_file, comparison, followed, identified, json, on_one_line, optional, program, uncertainty};
+use super::{case_file, comparison, followed, identified, json, object, on_one_line, program, uncertainty};
 use crate::units::{Measure, Units};
 
 /// The result of one file.
@@ -476,14 +476,13 @@ fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Value {
         Ok(answer) => answer,
         Err(Refused { error, help, bytes }) => {
             let case = bytes.map(|bytes| case_file(&name.into(), bytes));
-            let refused = json!({
+            return object! {
                 "file": name,
                 "error": error,
-                "help": help,
+                "help"?: help,
                 "program": program(),
-                "case": case,
-            });
-            return optional(["help", "case"], refused);
+                "case"?: case,
+            };
         }
     };
     let case = &file.case;

@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 
 use super::csv::CsvStyle;
 use super::json::warning;
-use super::{distribution_name, identified, list, optional, pretty, title};
+use super::{distribution_name, identified, list, object, pretty, title};
 use crate::estimates::{
     Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key, unused,
 };
@@ -82,15 +82,7 @@ fn piece(piece: &PieceFound, agreement: Option<(Agreement, f64)>) -> Value {
 
 /// Real collisions on which intervals were tested.
 fn tested(class: &TestedClass) -> Value {
-    json!({
-        "code": class.code,
-        "collisions": class.collisions,
-        "quantity": class.quantity,
-        "n": class.n,
-        "inside95": class.inside95,
-        "rms": class.rms,
-        "source": class.source,
-    })
+    object! { class.{code, collisions, quantity, n, inside95, rms, source} }
 }
 
 /// How the crush energy of a vehicle was obtained, and its error in ln.
@@ -146,7 +138,7 @@ pub fn estimate_json(
     let doubts = estimated.doubts();
     let is_answer = doubts.is_empty();
     let doubt = |doubt: &SamplerDoubt| {
-        optional(["key"], json!({ "code": doubt_code(doubt), "key": doubted(doubt, estimated) }))
+        object! { "code": doubt_code(doubt), "key"?: doubted(doubt, estimated) }
     };
     let outputs = estimated.outputs.iter().map(|one| (one.output.path(), output(one, is_answer)));
     let pieces = estimated.pieces.iter().zip(Agreement::of_all(&estimated.pieces));

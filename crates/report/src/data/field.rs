@@ -7,7 +7,7 @@ use field::ciss::{CissCrashes, CissLeftOut, CissTable};
 use field::{Field, Figures, Judged, LEVELS};
 use serde_json::{Value, json};
 
-use super::{followed, list, optional, pretty, program, sha256};
+use super::{followed, list, object, pretty, program, sha256};
 
 /// The crashes that are judged.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ pub struct FieldYear {
 pub(super) fn of_data(data: &FieldData<'_>, judgement: Value) -> Value {
     let years = list(data.years, year);
     // The checksum is that of the table of crashes.
-    let data = optional(["years"], json!({ "sha256": sha256(data.table.as_bytes()), "years": years }));
+    let data = object! { "sha256": sha256(data.table.as_bytes()), "years"?: years };
     followed(judgement, json!({ "program": program(), "data": data }))
 }
 
@@ -57,22 +57,19 @@ fn year(FieldYear { source, crashes, sha256 }: &FieldYear) -> Value {
 
 pub(super) fn figures(figures: &Figures) -> Value {
     let part = |place: usize| Some(coverage(figures.coverage?.map(|part| part[place])));
-    optional(
-        ["coverage", "coverage_error", "width95", "pit"],
-        json!({
-            "n": figures.n,
-            "collisions": figures.collisions,
-            "bias": figures.bias[0],
-            "bias_error": figures.bias[1],
-            "rms": figures.rms[0],
-            "rms_error": figures.rms[1],
-            "coverage": part(0),
-            "coverage_error": part(1),
-            "width95": figures.width95,
-            "crps": figures.crps,
-            "pit": figures.pit,
-        }),
-    )
+    object! {
+        "n": figures.n,
+        "collisions": figures.collisions,
+        "bias": figures.bias[0],
+        "bias_error": figures.bias[1],
+        "rms": figures.rms[0],
+        "rms_error": figures.rms[1],
+        "coverage"?: part(0),
+        "coverage_error"?: part(1),
+        "width95"?: figures.width95,
+        "crps": figures.crps,
+        "pit"?: figures.pit,
+    }
 }
 
 /// A number for the intervals of each level, by the level in per cent.
@@ -82,24 +79,21 @@ pub(super) fn coverage<T>(of_levels: [T; LEVELS.len()]) -> BTreeMap<String, T> {
 
 fn vehicle(judged: &Judged) -> Value {
     let [interval50, interval80, interval95] = judged.intervals;
-    optional(
-        ["winsmash"],
-        json!({
-            "case": judged.case,
-            "vehicle": judged.vehicle.number(),
-            "kind": judged.kind.name(),
-            "recorder": judged.truth.delta_v,
-            "longitudinal": judged.truth.is_longitudinal,
-            "median": judged.median,
-            "interval50": interval50,
-            "interval80": interval80,
-            "interval95": interval95,
-            "below": judged.below,
-            "crps": judged.crps,
-            "converged": judged.converged,
-            "winsmash": judged.winsmash,
-        }),
-    )
+    object! {
+        "case": judged.case,
+        "vehicle": judged.vehicle.number(),
+        "kind": judged.kind.name(),
+        "recorder": judged.truth.delta_v,
+        "longitudinal": judged.truth.is_longitudinal,
+        "median": judged.median,
+        "interval50": interval50,
+        "interval80": interval80,
+        "interval95": interval95,
+        "below": judged.below,
+        "crps": judged.crps,
+        "converged": judged.converged,
+        "winsmash"?: judged.winsmash,
+    }
 }
 
 /// The word for the prior of the severity.

@@ -5,7 +5,7 @@ use analysis::{Agreement, Analysis, Output, Solution, Weighed, WhyNotExact};
 use pim_core::VehicleId;
 use serde_json::{Value, json};
 
-use super::{list, optional};
+use super::{list, object};
 use crate::estimates::{WIDEST, ends};
 use crate::words;
 
@@ -33,7 +33,7 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
         // By all the evidence, with its errors and those of the method.
         let interval = summary.map(|summary| ends(summary, WIDEST));
         let median = summary.map(|summary| summary.median.value);
-        optional(["interval95"], json!({ "value": median, "interval95": interval }))
+        object! { "value": median, "interval95"?: interval }
     };
     let delta_v = analysis.delta_v();
     let of_vehicle = |id: VehicleId| {
@@ -45,30 +45,26 @@ pub(crate) fn headline(analysis: &Analysis, weighed: Option<&Weighed>) -> Option
             })
         })
     };
-    Some(optional(
-        ["why_not_exact", "converged", "contradicting", "doubtful", "vehicle1", "vehicle2"],
-        json!({
-            "by": led_by(weighed, why.as_ref()),
-            "why_not_exact": why.as_ref().map(reasons),
-            "converged": weighed.map(|weighed| weighed.estimated.doubts().is_empty()),
-            // Evidence that all the rest contradicts, and that it makes doubtful.
-            "contradicting": agreement(Agreement::Contradicts),
-            "doubtful": agreement(Agreement::Doubtful),
-            "vehicle1": of_vehicle(VehicleId::One),
-            "vehicle2": of_vehicle(VehicleId::Two),
-        }),
-    ))
+    Some(object! {
+        "by": led_by(weighed, why.as_ref()),
+        "why_not_exact"?: why.as_ref().map(reasons),
+        "converged"?: weighed.map(|weighed| weighed.estimated.doubts().is_empty()),
+        // Evidence that all the rest contradicts, and that it makes doubtful.
+        "contradicting"?: agreement(Agreement::Contradicts),
+        "doubtful"?: agreement(Agreement::Doubtful),
+        "vehicle1"?: of_vehicle(VehicleId::One),
+        "vehicle2"?: of_vehicle(VehicleId::Two),
+    })
 }
 
 fn reasons(why: &WhyNotExact) -> Value {
-    let why = json!({
+    object! {
         "left_aside": why.left_aside,
         "refuted_by": list(&why.refuted_by, |check| check.code()),
         "contradicted": why.is_contradicted,
         // The average share of the impact's energy that its crush energies show, if it does not correct them.
-        "energy_share": why.energy_share,
-    });
-    optional(["energy_share"], why)
+        "energy_share"?: why.energy_share,
+    }
 }
 
 /// The solution by a part of the evidence, taken as exact.
@@ -79,18 +75,15 @@ pub(crate) fn solution(solution: &Solution) -> Value {
         list(named, |id| format!("vehicle{id}.{key}"))
     };
     let outside = [named(speeds, "speed"), named(changes, "delta_v")].concat();
-    optional(
-        ["differs_from_given"],
-        json!({
-            "by": words::solution(solution.by),
-            "speeds": solution.speeds,
-            "delta_v": solution.delta_v,
-            // Speeds and ΔV outside of the 95 % interval by all the evidence.
-            "outside": outside,
-            // Speeds that differ from those of the case.
-            "differs_from_given": named(solution.differs_from.map(|given| given.is_some()), "speed"),
-            // The codes of its checks that fail.
-            "failed": list(&solution.failed, |check| check.code()),
-        }),
-    )
+    object! {
+        "by": words::solution(solution.by),
+        "speeds": solution.speeds,
+        "delta_v": solution.delta_v,
+        // Speeds and ΔV outside of the 95 % interval by all the evidence.
+        "outside": outside,
+        // Speeds that differ from those of the case.
+        "differs_from_given"?: named(solution.differs_from.map(|given| given.is_some()), "speed"),
+        // The codes of its checks that fail.
+        "failed": list(&solution.failed, |check| check.code()),
+    }
 }

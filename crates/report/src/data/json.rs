@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use trajectory::Sample;
 
 use super::headline::{headline, solution};
-use super::{identified, list, optional, pretty, title};
+use super::{identified, list, object, pretty, title};
 use crate::Units;
 use crate::law;
 use crate::warnings;
@@ -27,7 +27,7 @@ pub(crate) fn warning(seen: &SeenWarning) -> Value {
     let warning = seen.warning();
     let vehicle = warning.vehicle().map(VehicleId::number);
     let message = warnings::message(seen, Units::Si);
-    optional(["vehicle"], json!({ "code": warning.code(), "vehicle": vehicle, "message": message }))
+    object! { "code": warning.code(), "vehicle"?: vehicle, "message": message }
 }
 
 /// The warnings of an analysis.
@@ -215,41 +215,35 @@ fn numbers(quantity: &OutputQuantity, seen: &Seen) -> Vec<(String, Value)> {
 fn head(case: &Case, analysis: &Analysis, seen: &Seen, weighed: Option<&Weighed>) -> Value {
     let [of_answer, of_solution] = warnings::of_answer(seen, weighed, weighed.is_none());
     let check = |check: &Check| {
-        optional(
-            ["vehicle"],
-            json!({
-                "code": check.code(),
-                "vehicle": check.quantity.vehicle().map(VehicleId::number),
-                "value": plain(check.value),
-                "limit": check.limit,
-                "passed": check.passed(),
-            }),
-        )
+        object! {
+            "code": check.code(),
+            "vehicle"?: check.quantity.vehicle().map(VehicleId::number),
+            "value": plain(check.value),
+            "limit": check.limit,
+            "passed": check.passed(),
+        }
     };
-    optional(
-        ["headline", "solutions", "left_aside", "tangential_share", "solution_warnings"],
-        json!({
-            "title": title(case),
-            // The axes of all signed values: `z-up` or `z-down`.
-            "axes": case.axes.name(),
-            // The answer of a reconstruction, and its method.
-            "headline": headline(analysis, weighed),
-            // If all the evidence was weighed: the answers by its parts, each taken as exact.
-            "solutions": list(weighed.into_iter().flat_map(|weighed| &weighed.solutions), solution),
-            // Keys of evidence that the numbers below do not use.
-            "left_aside": seen.left_aside,
-            "energy_basis": seen.basis.name(),
-            // λ, if the basis has one.
-            "tangential_share": match seen.basis {
-                Basis::TangentialShare(share) => Some(share),
-                Basis::Dissipated | Basis::Absorbed => None,
-            },
-            "warnings": list(&of_answer, warning),
-            // The warnings about the exact solution, if all the evidence was weighed.
-            "solution_warnings": list(&of_solution, warning),
-            "checks": list(&seen.checks, check),
-        }),
-    )
+    object! {
+        "title": title(case),
+        // The axes of all signed values: `z-up` or `z-down`.
+        "axes": case.axes.name(),
+        // The answer of a reconstruction, and its method.
+        "headline"?: headline(analysis, weighed),
+        // If all the evidence was weighed: the answers by its parts, each taken as exact.
+        "solutions"?: list(weighed.into_iter().flat_map(|weighed| &weighed.solutions), solution),
+        // Keys of evidence that the numbers below do not use.
+        "left_aside"?: seen.left_aside,
+        "energy_basis": seen.basis.name(),
+        // λ, if the basis has one.
+        "tangential_share"?: match seen.basis {
+            Basis::TangentialShare(share) => Some(share),
+            Basis::Dissipated | Basis::Absorbed => None,
+        },
+        "warnings": list(&of_answer, warning),
+        // The warnings about the exact solution, if all the evidence was weighed.
+        "solution_warnings"?: list(&of_solution, warning),
+        "checks": list(&seen.checks, check),
+    }
 }
 
 /// The values that are not numbers of a row, each with its place. The blocks get their order here.
@@ -284,17 +278,14 @@ fn others(case: &Case, seen: &Seen) -> Vec<(String, Value)> {
     if let Some(crash3) = &seen.crash3 {
         // CRASH3's answer under one correction for oblique forces.
         let row = |row: &Correction| {
-            optional(
-                ["friction"],
-                json!({
-                    "oblique": law::row_name(row),
-                    // The friction limit of each vehicle, for the friction-limited correction.
-                    "friction": law::friction_limits(row).map(|limits| of_movable(case, limits)),
-                    "factor": row.factor,
-                    "crush_energy": row.crush_energy,
-                    "delta_v": of_movable(case, row.delta_v),
-                }),
-            )
+            object! {
+                "oblique": law::row_name(row),
+                // The friction limit of each vehicle, for the friction-limited correction.
+                "friction"?: law::friction_limits(row).map(|limits| of_movable(case, limits)),
+                "factor": row.factor,
+                "crush_energy": row.crush_energy,
+                "delta_v": of_movable(case, row.delta_v),
+            }
         };
         add("/crash3/corrections", list(&crash3.corrections, row).into());
     }
@@ -418,14 +409,11 @@ fn moment(sample: &Sample) -> Value {
 /// How a path passes the points of the case.
 fn points(travel: &Travel) -> Vec<Value> {
     list(travel.passes.iter().zip(&travel.points), |(pass, point)| {
-        optional(
-            ["wheel", "turned"],
-            json!({
-                "wheel": point.wheel.map(MarkedWheel::name),
-                "miss": pass.miss,
-                "turned": pass.turned.map(plain),
-            }),
-        )
+        object! {
+            "wheel"?: point.wheel.map(MarkedWheel::name),
+            "miss": pass.miss,
+            "turned"?: pass.turned.map(plain),
+        }
     })
 }
 

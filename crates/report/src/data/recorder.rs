@@ -9,7 +9,7 @@ use recorder::{ImpactSpeed, PreCrash, PulseSpan, RecorderTable, force_direction}
 use serde_json::{Value, json};
 
 use super::csv::CsvStyle;
-use super::{identified, list, pretty, title};
+use super::{identified, list, object, pretty, title};
 use crate::sections::recorder::verdict;
 
 /// A record, and whether it is of the impact of the case.
@@ -70,31 +70,17 @@ fn vehicle(id: VehicleId, found: &VehicleReading) -> Value {
     let samples = recorder.before_impact().map(PreCrash::samples).unwrap_or_default();
     let distance = |time: f64| {
         let (_, bounds) = found.distances.iter().find(|(at, _)| *at == time)?;
-        Some(json!({
-            "at_least": bounds.at_least,
-            "left": bounds.left,
-            "between": bounds.between,
-            "right": bounds.right,
-            "at_most": bounds.at_most,
-        }))
+        Some(object! { bounds.{at_least, left, between, right, at_most} })
     };
     json!({
         "record": which(&found.of_impact.key(id), &found.of_impact),
         "other_records": list(&found.others, |other| vehicle(id, other)),
         "recognised": list(tables, table),
         "speed_at_impact": found.speed.as_ref().map(speed),
-        "samples": list(samples, |one| json!({
-            "time": one.time,
-            "speed": one.speed,
-            "brake": one.brake,
-            "abs": one.abs,
-            "accelerator": one.accelerator,
-            "throttle": one.throttle,
-            "engine_speed": one.engine_speed,
-            "steering": one.steering,
-            "yaw_rate": one.yaw_rate,
+        "samples": list(samples, |one| object! {
+            one.{time, speed, brake, abs, accelerator, throttle, engine_speed, steering, yaw_rate},
             "distance": distance(one.time),
-        })),
+        }),
         "pulse": pulse(found),
     })
 }
@@ -137,12 +123,7 @@ fn speed(speed: &ImpactSpeed) -> Value {
             "shift": part.shift,
             "variance": part.variance,
         })),
-        "steep_fall": speed.steep_fall.map(|fall| json!({
-            "deceleration": fall.deceleration,
-            "time": fall.time,
-            "speed": fall.speed,
-            "probability": fall.probability,
-        })),
+        "steep_fall": speed.steep_fall.map(|fall| object! { fall.{deceleration, time, speed, probability} }),
     })
 }
 

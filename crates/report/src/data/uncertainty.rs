@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use super::headline::headline;
 use super::json::all_warnings;
-use super::{distribution_name, followed, identified, list, optional, pretty, title};
+use super::{distribution_name, followed, identified, list, object, pretty, title};
 use crate::outputs::{estimate_source, input_name, reason_name};
 use crate::worth::worth;
 
@@ -48,34 +48,31 @@ fn of_inputs(
     let index_rows = uncertainty.indices.as_ref().map(|indices| {
         json!({ "rows": indices.rows(), "used": indices.used(), "evaluations": indices.evaluations() })
     });
-    optional(
-        ["index_rows", "headline", "left_aside"],
-        json!({
-            "title": title(case),
-            // The axes of the inputs.
-            "axes": case.axes.name(),
-            "samples": propagation.evaluated(),
-            "requested": propagation.requested(),
-            "seed": uncertainty.settings.seed,
-            "method": uncertainty.settings.method.name(),
-            "succeeded": propagation.succeeded(),
-            "failed": BTreeMap::from(REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason)))),
-            // Samples with an answer that would raise a warning as a single case.
-            "doubtful": list(&uncertainty.doubtful, doubtful),
-            "inputs": list(inputs, input),
-            // Values that all samples share, so that no interval contains their errors.
-            "taken_as_exact": list(taken_as_exact, exact),
-            "outputs": outputs.collect::<Map<_, _>>(),
-            // The indices of the first output.
-            "sensitivity": indices(uncertainty, 0),
-            "index_rows": index_rows,
-            // The answer of the case, which the intervals may not be of, and evidence that they do not use.
-            "headline": headline(&uncertainty.nominal, None),
-            "left_aside": uncertainty.nominal.left_aside,
-            // The warnings of the case with its central values.
-            "warnings": all_warnings(&uncertainty.nominal, case),
-        }),
-    )
+    object! {
+        "title": title(case),
+        // The axes of the inputs.
+        "axes": case.axes.name(),
+        "samples": propagation.evaluated(),
+        "requested": propagation.requested(),
+        "seed": uncertainty.settings.seed,
+        "method": uncertainty.settings.method.name(),
+        "succeeded": propagation.succeeded(),
+        "failed": BTreeMap::from(REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason)))),
+        // Samples with an answer that would raise a warning as a single case.
+        "doubtful": list(&uncertainty.doubtful, doubtful),
+        "inputs": list(inputs, input),
+        // Values that all samples share, so that no interval contains their errors.
+        "taken_as_exact": list(taken_as_exact, exact),
+        "outputs": outputs.collect::<Map<_, _>>(),
+        // The indices of the first output.
+        "sensitivity": indices(uncertainty, 0),
+        "index_rows"?: index_rows,
+        // The answer of the case, which the intervals may not be of, and evidence that they do not use.
+        "headline"?: headline(&uncertainty.nominal, None),
+        "left_aside"?: uncertainty.nominal.left_aside,
+        // The warnings of the case with its central values.
+        "warnings": all_warnings(&uncertainty.nominal, case),
+    }
 }
 
 /// `of` is the number of samples that were examined, and `share` the doubtful share of them.
@@ -90,10 +87,7 @@ fn doubtful(doubtful: &Doubtful) -> Value {
     #[expect(clippy::cast_precision_loss, reason = "counts are below 2^53")]
     let share = samples as f64 / of as f64;
     let code = doubt.code();
-    optional(
-        ["vehicle"],
-        json!({ "code": code, "vehicle": vehicle, "samples": samples, "of": of, "share": share }),
-    )
+    object! { "code": code, "vehicle"?: vehicle, "samples": samples, "of": of, "share": share }
 }
 
 /// `value` is a number or a list of numbers in SI and radians, or a word; `worth` says how well such a number
@@ -108,15 +102,12 @@ fn exact(exact: &TakenAsExact) -> Value {
         ExactValue::Word(word) => (*word).into(),
     };
     let worth = worth(&exact.key);
-    optional(
-        ["worth", "source"],
-        json!({
-            "key": exact.key,
-            "value": value,
-            "worth": worth.as_ref().map(|worth| worth.error),
-            "source": worth.as_ref().map(|worth| worth.source),
-        }),
-    )
+    object! {
+        "key": exact.key,
+        "value": value,
+        "worth"?: worth.as_ref().map(|worth| worth.error),
+        "source"?: worth.as_ref().map(|worth| worth.source),
+    }
 }
 
 /// SI.
@@ -125,37 +116,34 @@ fn input(input: &UncertainInput) -> Value {
     let factor = number.factor();
     let bound = |bound: f64| bound.is_finite().then_some(bound * factor);
     let truncated = input.truncation().map(|cut| {
-        optional(["low", "high"], json!({ "low": bound(cut.low), "high": bound(cut.high), "kept": cut.kept }))
+        object! { "low"?: bound(cut.low), "high"?: bound(cut.high), "kept": cut.kept }
     });
-    optional(
-        ["name", "truncated"],
-        json!({
-            "input": number.path,
-            // In words, if it is not a key of the file.
-            "name": (number.origin != Origin::Given).then(|| input_name(number)),
-            "distribution": distribution_name(distribution),
-            "central": number.si(),
-            "mean": distribution.mean() * factor,
-            "sd": distribution.sd() * factor,
-            "truncated": truncated,
-        }),
-    )
+    object! {
+        "input": number.path,
+        // In words, if it is not a key of the file.
+        "name"?: (number.origin != Origin::Given).then(|| input_name(number)),
+        "distribution": distribution_name(distribution),
+        "central": number.si(),
+        "mean": distribution.mean() * factor,
+        "sd": distribution.sd() * factor,
+        "truncated"?: truncated,
+    }
 }
 
 /// SI and radians; without the statistics if fewer than two samples have an answer.
 fn output(uncertainty: &Uncertainty, place: usize, bars: &[Bar]) -> Value {
     let output = &uncertainty.outputs[place];
     let summary = uncertainty.propagation.summaries()[place].as_ref();
-    let more = json!({
+    let more = object! {
         // Due to the sampling.
-        "standard_error": summary.map(|_| statistics(summary, |estimate| estimate.standard_error)),
+        "standard_error"?: summary.map(|_| statistics(summary, |estimate| estimate.standard_error)),
         "first_order_sd": output.first_order.sd,
         "first_order_differs": summary.map(|summary| output.differs(summary.sd.value)),
         "tornado": list(bars, |one| bar(uncertainty, one, place, output.first_order.shares[one.input])),
         "sensitivity": indices(uncertainty, place),
-    });
+    };
     let statistics = statistics(summary, |estimate| Some(estimate.value));
-    followed(followed(json!({ "central": output.central }), statistics), optional(["standard_error"], more))
+    followed(followed(json!({ "central": output.central }), statistics), more)
 }
 
 /// A number of each statistic.

@@ -6,7 +6,7 @@ use validation::{
     Validation,
 };
 
-use super::{list, optional, pretty};
+use super::{list, object, pretty};
 
 /// Either a tolerance or the reason of a known difference.
 fn claim(cell: &Cell) -> Value {
@@ -14,15 +14,12 @@ fn claim(cell: &Cell) -> Value {
         Claim::Reproduces { tolerance } => (Some(*tolerance), None),
         Claim::KnownDifference { reason } => (None, Some(reason)),
     };
-    optional(
-        ["tolerance", "known_difference", "erratum"],
-        json!({
-            "reproduces": cell.is_claimed().then(|| !cell.fails()),
-            "tolerance": tolerance,
-            "known_difference": known_difference,
-            "erratum": cell.erratum,
-        }),
-    )
+    object! {
+        "reproduces": cell.is_claimed().then(|| !cell.fails()),
+        "tolerance"?: tolerance,
+        "known_difference"?: known_difference,
+        "erratum"?: cell.erratum,
+    }
 }
 
 fn claimed(cell: &Cell) -> Value {
@@ -31,17 +28,11 @@ fn claimed(cell: &Cell) -> Value {
 
 /// A requirement of the methods with the result of its test.
 fn requirement(found: &Requirement) -> Value {
-    json!({
-        "code": found.code,
-        "requirement": found.requirement,
-        "test": found.test,
-        "acceptance": found.acceptance,
-        "compared": found.compared,
-        "failed": found.failed,
-        // Greatest difference as a share of its tolerance.
-        "worst": found.worst,
+    object! {
+        // The worst is the greatest difference as a share of its tolerance.
+        found.{code, requirement, test, acceptance, compared, failed, worst},
         "met": found.is_met(),
-    })
+    }
 }
 
 fn evidence(evidence: SpeedEvidence) -> &'static str {
@@ -95,7 +86,7 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "paper": cell.paper,
         })),
         "requirements": list(&validation.requirements(), requirement),
-        "table1": list(&validation.table1, |line| optional(["ours_implied"], json!({
+        "table1": list(&validation.table1, |line| object! {
             "geometry": line.geometry,
             "tests": line.tests,
             "method": match line.method {
@@ -103,11 +94,11 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
                 Method::Crash3 => "crash3",
             },
             "ours": line.ours,
-            "ours_implied": line.ours_implied,
+            "ours_implied"?: line.ours_implied,
             "paper_rows": line.paper_rows.ours,
             "paper": line.paper_rows.paper,
             "claim": claim(&line.paper_rows),
-        }))),
+        }),
         "table2": list(&validation.table2, |line| json!({
             "test": line.test,
             "row": row_name(line.row),
@@ -179,7 +170,7 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "found": list(&validation.by_share, |row| row.found[i]),
             "relative_error": rate,
         })),
-        "motion": list(&validation.motions, |line| optional(["rest_missed"], json!({
+        "motion": list(&validation.motions, |line| object! {
             "test": line.test,
             "vehicle": line.vehicle.number(),
             "drag": line.drag,
@@ -188,34 +179,34 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "path": line.path,
             "time": line.time,
             "turn": claimed(&line.turn),
-            "rest_missed": line.miss,
-        }))),
-        "back_from_rest": list(&validation.returns, |line| optional(["from_rest"], json!({
+            "rest_missed"?: line.miss,
+        }),
+        "back_from_rest": list(&validation.returns, |line| object! {
             "test": line.test,
             "vehicle": line.vehicle.number(),
             "drag": line.drag,
             "round_trip": claimed(&line.round_trip),
-            "from_rest": line.from_rest.as_ref().map(|found| json!({
+            "from_rest"?: line.from_rest.as_ref().map(|found| json!({
                 "speed": claimed(&found.speed),
                 "direction": claimed(&found.direction),
                 "yaw_rate": claimed(&found.yaw_rate),
                 "speed_of_turned_way": found.turned,
             })),
-        }))),
+        }),
         // Shares of the path.
         "simulations": list(&validation.simulations, |other| json!({
             "name": other.name,
             "mean_errors": other.errors,
         })),
-        "both_speeds": list(&validation.both_speeds, |line| optional(["erratum"], json!({
+        "both_speeds": list(&validation.both_speeds, |line| object! {
             "test": line.test,
             "evidence": evidence(line.evidence),
             "true": line.true_speeds,
             "found": line.found,
             "error": errors(line.found, line.true_speeds),
             "impulse_disagreement": line.disagreement,
-            "erratum": line.erratum,
-        }))),
+            "erratum"?: line.erratum,
+        }),
         "both_speeds_from_rest": list(&validation.from_rest, |line| json!({
             "test": line.test,
             "method": match line.method {

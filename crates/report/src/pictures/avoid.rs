@@ -2,7 +2,7 @@
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
 use analysis::{AvoidRun, Avoidance, obstacle_name};
-use case::{AvoidBasis, Case, DemandForm, OtherParty, word};
+use case::{AvoidBasis, Case, DemandForm, OtherParty, choices};
 
 use super::{axis, scale_unit};
 use crate::units::{Measure, Units, number};
@@ -17,29 +17,21 @@ const BEYOND: f64 = 0.08;
 /// (m) and beyond the place of the impact, at least.
 const LEAST_BEYOND: f64 = 3.0;
 
-/// A picture of whether a collision was avoidable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AvoidPicture {
-    /// Distance against time: what happened and what would have, with the other party, the reaction demand
-    /// and the place of the impact.
-    PathTime,
-    /// The probability that the collision is avoided, against the speed.
-    Chance,
-    /// The ways of both to the impact, the obstacles and the line of sight.
-    Sight,
+choices! {
+    /// A picture of whether a collision was avoidable.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum AvoidPicture {
+        /// Distance against time: what happened and what would have, with the other party, the reaction
+        /// demand and the place of the impact.
+        PathTime = "path-time",
+        /// The probability that the collision is avoided, against the speed.
+        Chance = "chance",
+        /// The ways of both to the impact, the obstacles and the line of sight.
+        Sight = "sight",
+    }
 }
 
 impl AvoidPicture {
-    /// Each with its name.
-    pub const WORDS: [(&str, Self); 3] =
-        [("path-time", Self::PathTime), ("chance", Self::Chance), ("sight", Self::Sight)];
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-
     /// Those that a case with an answer has enough for, unless only the answer shows it.
     pub(crate) fn of_case(case: &Case) -> Vec<Self> {
         let plan = case.avoid_plan().is_some().then_some(Self::Sight);

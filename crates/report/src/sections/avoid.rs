@@ -429,15 +429,12 @@ fn how(found: &Avoidance, units: Units) -> String {
 fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table {
     let other = found.on_line();
     let names_phases = other.is_some_and(|other| !case.vehicles[other.index()].phases().is_empty());
-    let mut table = Table::new(
-        "Inputs",
-        [
-            Column::words("", if names_phases { 34 } else { 25 }),
-            Column::words("value", 14),
-            Column::words("range", 24),
-            Column::words("source", Width::Share),
-        ],
-    );
+    let mut table = Table::new("Inputs").columns([
+        Column::words("", if names_phases { 34 } else { 25 }),
+        Column::words("value", 14),
+        Column::words("range", 24),
+        Column::words("source", Width::Share),
+    ]);
     let mut number = |label: &str, key: &str, quantity: &Quantity, source: Option<&Text>| {
         let range =
             case.ranges.iter().find(|range| range.path == key).map_or_else(|| NONE.to_owned(), spread);
@@ -621,10 +618,11 @@ fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
 }
 
 fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
-    let mut table = Table::new(
-        "Sight",
-        [Column::words("", 44), Column::numbers("", 14), Column::numbers("95 % interval", 20)],
-    );
+    let mut table = Table::new("Sight").columns([
+        Column::words("", 44),
+        Column::numbers("", 14),
+        Column::numbers("95 % interval", 20),
+    ]);
     let intervals = found.chance.as_ref().and_then(|chance| chance.sight.as_ref());
     let mut row = |label: String, measure, value: f64, interval: Option<&AvoidInterval>| {
         table.row([label, units.format(measure, value), ends(interval, measure, units)]);
@@ -757,10 +755,8 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         Column::numbers(first, Width::Fit(0)).goes_on(second)
     });
     let first = Column::words("", Width::Fit(24));
-    let mut table = Table::new(
-        "What happened, and what would have",
-        std::iter::once(first).chain(columns).collect::<Vec<_>>(),
-    );
+    let mut table = Table::new("What happened, and what would have")
+        .columns(std::iter::once(first).chain(columns).collect::<Vec<_>>());
     let mut row = |label: String, of: &dyn Fn(&AvoidRun) -> Option<String>| {
         let cells: Vec<Option<String>> = found.runs.iter().map(of).collect();
         if cells.iter().any(Option::is_some) {
@@ -836,15 +832,11 @@ fn avoided(run: &AvoidRun) -> &'static str {
 
 /// Every combination of the limit, the reaction in time and full braking, in the order of how many it takes.
 fn combinations(found: &Avoidance, units: Units) -> Table {
-    let mut table = Table::new(
-        "Each alone and together",
-        [
-            Column::words("", 44),
-            Column::numbers(format!("speed at the {}", place(found)), 20)
-                .unit(units.name(Measure::RoadSpeed)),
-            Column::words("avoided", 18),
-        ],
-    );
+    let mut table = Table::new("Each alone and together").columns([
+        Column::words("", 44),
+        Column::numbers(format!("speed at the {}", place(found)), 20).unit(units.name(Measure::RoadSpeed)),
+        Column::words("avoided", 18),
+    ]);
     for (hypothesis, label) in [
         (Hypothesis::LimitOnly, "the limit"),
         (Hypothesis::ReactionInTime, "reaction in time"),
@@ -982,15 +974,12 @@ fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
 
 fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let above = found.scene.is_above_limit();
-    let mut table = Table::new(
-        "Speeds that just avoid it",
-        [
-            Column::words("", 44),
-            Column::numbers("speed", 14).unit(units.name(Measure::RoadSpeed)),
-            Column::numbers("95 % interval", 20).unit(units.name(Measure::RoadSpeed)),
-            Column::words(if above { "at the limit" } else { "as driven" }, 18),
-        ],
-    );
+    let mut table = Table::new("Speeds that just avoid it").columns([
+        Column::words("", 44),
+        Column::numbers("speed", 14).unit(units.name(Measure::RoadSpeed)),
+        Column::numbers("95 % interval", 20).unit(units.name(Measure::RoadSpeed)),
+        Column::words(if above { "at the limit" } else { "as driven" }, 18),
+    ]);
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
@@ -1093,10 +1082,11 @@ fn enough(found: &Avoidance, units: Units) -> Block {
 }
 
 fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
-    let mut table = Table::new(
-        "Probability",
-        [Column::words("", 60), Column::numbers("", 12), Column::words("", Width::Share)],
-    );
+    let mut table = Table::new("Probability").columns([
+        Column::words("", 60),
+        Column::numbers("", 12),
+        Column::words("", Width::Share),
+    ]);
     let mut row = |label: &str, value: f64, error: String| {
         table.row([label.to_owned(), in_decimals(value), error]);
     };
@@ -1132,7 +1122,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
 
 fn influences(chance: &AvoidChance) -> Table {
     let mut table =
-        Table::new("What moves it most", [Column::words("", 56), Column::numbers("difference", 12)]);
+        Table::new("What moves it most").columns([Column::words("", 56), Column::numbers("difference", 12)]);
     for influence in &chance.influences {
         let name =
             influence.input.as_ref().map_or_else(|| "the speed, by the evidence".to_owned(), input_name);

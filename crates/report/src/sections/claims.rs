@@ -30,7 +30,7 @@ pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
         columns.push(Column::numbers("in 95 %", Width::Fit(11)).unit("%"));
         columns.push(Column::numbers("interval score", Width::Fit(14)).unit("km/h"));
     }
-    let mut table = Table::new("", columns);
+    let mut table = Table::new("").columns(columns);
     for ClaimGroup { name, figures, coverage95, interval_score } in &claims.groups {
         let mut cells = figure_cells(name, figures);
         if has_intervals {

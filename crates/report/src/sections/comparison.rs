@@ -131,8 +131,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
 fn by_evidence(page: &mut Document, by: &ByEvidence, units: Units) {
     let columns =
         [("damage only", &by.damage), ("momentum only", &by.momentum), ("momentum and damage", &by.together)];
-    let mut table = Table::new(
-        "By evidence",
+    let mut table = Table::new("By evidence").columns(
         std::iter::once(Column::words("", SAID))
             .chain(columns.map(|(name, _)| Column::words(name, Width::Share)))
             .collect::<Vec<_>>(),
@@ -180,7 +179,7 @@ fn table(
     let numbers =
         columns.iter().map(|(name, unit)| Column::numbers(name.clone(), Width::Fit(COLUMN)).unit(*unit));
     let law = Column::words("law", Width::Fit(NAME));
-    let mut table = Table::new("", std::iter::once(law).chain(numbers).collect::<Vec<_>>());
+    let mut table = Table::new("").columns(std::iter::once(law).chain(numbers).collect::<Vec<_>>());
     for (law, values) in rows {
         table.cells(std::iter::once(law.to_owned()).chain(values.into_iter().map(or_none)));
     }

@@ -339,7 +339,7 @@ impl<'a> Page<'a> {
         for (column, unit) in columns.iter_mut().zip(["", "", "from", "to", "median", "from", "to"]) {
             unit.clone_into(&mut column.unit);
         }
-        let mut table = Table::new("Results", columns);
+        let mut table = Table::new("Results").columns(columns);
         for output in &self.estimated.outputs {
             let of = |summary: &DrawsSummary| {
                 let [low, high] = ends(summary, WIDEST);
@@ -366,7 +366,7 @@ impl<'a> Page<'a> {
             columns.push(Column::numbers(level, END + 1).unit("from"));
             columns.push(Column::numbers("", END).unit("to"));
         }
-        let mut table = Table::new("Narrower intervals", columns);
+        let mut table = Table::new("Narrower intervals").columns(columns);
         for output in &self.estimated.outputs {
             let cells = [HALF, EIGHTY, NINETY].map(|place| ends(&output.posterior, place)).concat();
             let cells = cells.into_iter().map(|si| short(self.figure(output, si)));
@@ -396,7 +396,7 @@ impl<'a> Page<'a> {
             }
         }
         columns.push(Column::numbers("p-value", 12));
-        let mut table = Table::new("Evidence", columns);
+        let mut table = Table::new("Evidence").columns(columns);
         for (piece, agreement) in pieces.iter().zip(Agreement::of_all(pieces)) {
             let mut cells = vec![format!("{}\n  {}", piece_name(piece.piece), piece.key)];
             if is_judged {
@@ -441,10 +441,11 @@ impl<'a> Page<'a> {
     /// How far each piece may be off.
     fn errors(&mut self) {
         let observed = &self.estimated.observed;
-        let mut table = Table::new(
-            "Errors of the evidence",
-            [Column::words("", 30), Column::words("", Width::Share), Column::words("from", 12)],
-        );
+        let mut table = Table::new("Errors of the evidence").columns([
+            Column::words("", 30),
+            Column::words("", Width::Share),
+            Column::words("from", 12),
+        ]);
         for piece in &self.estimated.pieces {
             let Some(words) = error(piece.piece, observed, self.units) else { continue };
             let key = error_key(piece);
@@ -475,10 +476,11 @@ impl<'a> Page<'a> {
         if self.estimated.unused.is_empty() {
             return;
         }
-        let mut table = Table::new(
-            "Given but not used",
-            [Column::words("", 24), Column::words("why", 40), Column::words("write instead", Width::Share)],
-        );
+        let mut table = Table::new("Given but not used").columns([
+            Column::words("", 24),
+            Column::words("why", 40),
+            Column::words("write instead", Width::Share),
+        ]);
         for given in &self.estimated.unused {
             let [_, why, instead] = unused(given.reason);
             let [why, instead] = [folded(why, 38), folded(instead, 32)];
@@ -489,14 +491,11 @@ impl<'a> Page<'a> {
 
     /// Uncertain numbers whose spread the case does not give.
     fn assumed(&mut self) {
-        let mut table = Table::new(
-            "Assumed",
-            [
-                Column::words("", 34),
-                Column::words("before the evidence", 32),
-                Column::words("source", Width::Share),
-            ],
-        );
+        let mut table = Table::new("Assumed").columns([
+            Column::words("", 34),
+            Column::words("before the evidence", 32),
+            Column::words("source", Width::Share),
+        ]);
         if let Some(severity) = self.estimated.observed.severity {
             let median = self.units.format(Measure::RoadSpeed, severity.median);
             table.row([
@@ -604,15 +603,12 @@ impl<'a> Page<'a> {
 
     /// All unknown numbers before and after.
     fn unknown(&mut self) {
-        let mut table = Table::new(
-            "Unknown numbers",
-            [
-                Column::words("", 42),
-                Column::numbers("before: 95 %", 20),
-                Column::numbers("median", 10),
-                Column::numbers("95 %", 20),
-            ],
-        );
+        let mut table = Table::new("Unknown numbers").columns([
+            Column::words("", 42),
+            Column::numbers("before: 95 %", 20),
+            Column::numbers("median", 10),
+            Column::numbers("95 %", 20),
+        ]);
         for unknown in self.estimated.unknown.iter().filter(|unknown| !is_hidden(unknown)) {
             let summary = &unknown.posterior;
             let decimals = decimals_of(unknown.prior.sd()).min(MOST_DECIMALS);

@@ -110,7 +110,7 @@ fn tables_read(years: &[FieldYear]) -> Table {
         Column::numbers("rows", Width::Fit(8)),
         Column::words("file", Width::Share),
     ];
-    let mut table = Table::new("", columns);
+    let mut table = Table::new("").columns(columns);
     for year in years {
         for read in &year.crashes.tables {
             let place = format!("{}: {}", year.source, case::shown(&read.file));
@@ -123,7 +123,7 @@ fn tables_read(years: &[FieldYear]) -> Table {
 fn candidates(years: &[FieldYear], is_of_objects: bool) -> Table {
     let what = if is_of_objects { "Vehicles that struck an object" } else { "Pairs of vehicles" };
     let columns = [Column::words(what, 58), Column::numbers("number", Width::Fit(8))];
-    let mut table = Table::new("", columns);
+    let mut table = Table::new("").columns(columns);
     let found: usize = years.iter().map(|year| year.crashes.rows.len()).sum();
     table.row(["in the table that is judged".to_owned(), found.to_string()]);
     for (reason, count) in CissCrashes::left_out_of(years.iter().map(|year| &year.crashes)) {
@@ -151,7 +151,7 @@ fn coverage(field: &Field) -> Table {
         }),
     );
     columns.push(Column::numbers("width of 95 %", Width::Fit(13)).unit("of the median"));
-    let mut table = Table::new("", columns);
+    let mut table = Table::new("").columns(columns);
     for Group { name, ours, .. } in &field.groups {
         let mut cells = vec![(*name).to_owned(), ours.n.to_string()];
         match &ours.coverage {
@@ -165,7 +165,7 @@ fn coverage(field: &Field) -> Table {
 }
 
 fn errors(field: &Field) -> Table {
-    let mut table = Table::new("", figure_columns("Median against recorder", 32));
+    let mut table = Table::new("").columns(figure_columns("Median against recorder", 32));
     let mut row = |name: &str, figures: &Figures| table.cells(figure_cells(name, figures));
     for Group { name, ours, winsmash, ours_of_these } in &field.groups {
         row(name, ours);
@@ -199,14 +199,11 @@ pub(super) fn figure_cells(name: &str, figures: &Figures) -> Vec<String> {
 const LONGEST: usize = 40;
 
 fn tenths(field: &Field) -> Table {
-    let mut table = Table::new(
-        "",
-        [
-            Column::words("Share expected below recorder", 32),
-            Column::numbers("vehicles", Width::Fit(8)),
-            Column::bars("", Width::Share),
-        ],
-    );
+    let mut table = Table::new("").columns([
+        Column::words("Share expected below recorder", 32),
+        Column::numbers("vehicles", Width::Fit(8)),
+        Column::bars("", Width::Share),
+    ]);
     if let Some(pit) = field.groups.first().and_then(|group| group.ours.pit) {
         let most = pit.iter().copied().max().unwrap_or(1).max(1);
         for (tenth, count) in pit.iter().enumerate() {

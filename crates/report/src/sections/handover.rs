@@ -485,14 +485,9 @@ fn method(page: &mut Document, analysis: &Analysis, axes: Axes, units: Units) {
     ));
 }
 
-/// A table with a column for each vehicle: it names no equations, which are in the steps.
-fn of_vehicles(title: &str) -> Table {
-    Table::of_two(title, ["vehicle 1", "vehicle 2", "source"])
-}
-
 fn results(analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
-    let mut table = of_vehicles("Results at a glance");
+    let mut table = Table::of_vehicles("Results at a glance");
     if analysis.exchange().is_some() {
         chosen.pair(&mut table, &rows::SKID_SPEED);
         chosen.pair(&mut table, &rows::SPEED);
@@ -532,7 +527,7 @@ fn energy_balance(analysis: &Seen, of: &Energy, units: Units) -> Table {
 
 fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     let crash3 = analysis.crash3.as_ref()?;
-    let mut table = of_vehicles("ΔV by impact mechanics and by CRASH3");
+    let mut table = Table::of_vehicles("ΔV by impact mechanics and by CRASH3");
     let pair = |values: [f64; 2]| {
         VehicleId::ALL.map(|id| analysis.moves(id).then(|| units.speed(values[id.index()])))
     };

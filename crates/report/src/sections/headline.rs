@@ -135,7 +135,7 @@ fn columns() -> Vec<Column> {
 /// The exact solution of an analysis, if nothing else was solved.
 fn exact(why: &WhyNotExact, analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
-    let mut table = Table::new("Exact solution", columns());
+    let mut table = Table::new("Exact solution").columns(columns());
     let of_moving = |of: &dyn Fn(VehicleId) -> Option<f64>| {
         VehicleId::ALL.map(|id| or_none(of(id).filter(|_| analysis.moves(id)).map(speed)))
     };
@@ -149,7 +149,7 @@ fn exact(why: &WhyNotExact, analysis: &Seen, units: Units) -> Table {
 
 /// The exact solutions, each with the objections to it.
 fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
-    let mut table = Table::new("Exact solutions, each by a part of the evidence", columns());
+    let mut table = Table::new("Exact solutions, each by a part of the evidence").columns(columns());
     for solution in &weighed.solutions {
         let cell = |si: Option<f64>| or_none(si.map(|si| units.format(Measure::RoadSpeed, si)));
         let name = words::solution(solution.by).to_owned();

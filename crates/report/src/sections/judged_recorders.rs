@@ -38,7 +38,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
             Column::numbers("in 95 %", Width::Fit(8)).unit("%"),
             Column::numbers("half width", Width::Fit(10)).unit("km/h"),
         ];
-        let mut table = Table::new("Speed of a vehicle", columns);
+        let mut table = Table::new("Speed of a vehicle").columns(columns);
         let share = |share: f64| number(100.0 * share, 1);
         let shares = [half, eighty, most].map(share);
         let mut cells =
@@ -62,7 +62,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
             Column::numbers("bias of ln", Width::Fit(10)),
             Column::numbers("rms of ln", Width::Fit(10)),
         ];
-        let mut table = Table::new("ΔV from the speeds of both recorders", columns);
+        let mut table = Table::new("ΔV from the speeds of both recorders").columns(columns);
         for (method, figures) in [
             ("momentum to one common velocity", delta_vs),
             ("estimate, with crush and PDOF", &recorders.delta_v_by_estimate),
@@ -82,7 +82,7 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
             Column::numbers("95 % from", Width::Fit(9)).unit("km/h"),
             Column::numbers("to", Width::Fit(6)).unit("km/h"),
         ];
-        let mut table = Table::new("", columns);
+        let mut table = Table::new("").columns(columns);
         for judged in &recorders.speeds {
             let [low, high] = judged.intervals[2];
             let mut cells = vec![judged.case.clone(), (judged.vehicle.index() + 1).to_string()];

@@ -86,7 +86,7 @@ fn problems(file: &CaseFile, faults: &Faults) -> Vec<Row> {
 
 fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let columns = [Column::words("", KEY + 2), Column::words("", Width::Share)];
-    let mut table = Table::new("Commands", columns);
+    let mut table = Table::new("Commands").columns(columns);
     for Ability { purpose, on, obstacle, left_aside } in &judgement.abilities {
         let drawn = if *purpose == Purpose::Draw { drawn(&file.case, judgement) } else { Vec::new() };
         let Some(obstacle) = obstacle.as_ref().filter(|_| drawn.is_empty()) else {
@@ -132,15 +132,12 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
 }
 
 fn numbers(case: &Case) -> Table {
-    let mut table = Table::new(
-        NUMBERS,
-        [
-            Column::words("", Width::Fit(KEY)),
-            Column::words("as written", Width::Fit(WRITTEN)),
-            Column::words("SI", Width::Fit(VALUE)),
-            Column::words("US", Width::Fit(0)),
-        ],
-    );
+    let mut table = Table::new(NUMBERS).columns([
+        Column::words("", Width::Fit(KEY)),
+        Column::words("as written", Width::Fit(WRITTEN)),
+        Column::words("SI", Width::Fit(VALUE)),
+        Column::words("US", Width::Fit(0)),
+    ]);
     let mut ranges = case.ranges.iter().peekable();
     for input in understood::numbers(case) {
         let spread = ranges.next_if(|range| range.path == input.path).map(spread);

@@ -179,7 +179,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
     for row in [&rows::MOMENTUM_ENERGY_LOSS, &rows::MOMENTUM_NORMAL_WORK, &rows::MOMENTUM_TANGENTIAL_WORK] {
         chosen.shared(&mut whole, row);
     }
-    let mut of_vehicles = Table::of_two("Momentum by vehicle", ["vehicle 1", "vehicle 2", "source"]);
+    let mut of_vehicles = Table::of_vehicles("Momentum by vehicle");
     for row in [&rows::MOMENTUM_DELTA_V, &rows::MOMENTUM_PDOF, &rows::MOMENTUM_FINAL_YAW_RATE] {
         chosen.pair(&mut of_vehicles, row);
     }
@@ -212,7 +212,7 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     for row in [&rows::LAW_CHECK_RESTITUTION, &rows::LAW_CHECK_ENERGY_LOSS] {
         chosen.shared(&mut whole, row);
     }
-    let mut of_vehicles = Table::of_two("Check: the law by vehicle", ["vehicle 1", "vehicle 2", "source"]);
+    let mut of_vehicles = Table::of_vehicles("Check: the law by vehicle");
     for row in [
         &rows::LAW_CHECK_DELTA_V,
         &rows::LAW_CHECK_DELTA_V_DIFFERENCE,
@@ -239,16 +239,13 @@ fn combinations(both: &BothFound, units: Units) -> Option<Table> {
         return None;
     }
     let speed = units.name(Measure::Speed);
-    let mut table = Table::new(
-        "Motions that reach the rest positions",
-        [
-            Column::words("turned on the way", Width::Fit(20)),
-            Column::numbers("speed 1", Width::Fit(10)).unit(speed),
-            Column::numbers("speed 2", Width::Fit(10)).unit(speed),
-            Column::numbers("weight", Width::Fit(8)),
-            Column::words("what speaks against it", Width::Share),
-        ],
-    );
+    let mut table = Table::new("Motions that reach the rest positions").columns([
+        Column::words("turned on the way", Width::Fit(20)),
+        Column::numbers("speed 1", Width::Fit(10)).unit(speed),
+        Column::numbers("speed 2", Width::Fit(10)).unit(speed),
+        Column::numbers("weight", Width::Fit(8)),
+        Column::words("what speaks against it", Width::Share),
+    ]);
     for combination in both.combinations.iter().take(LISTED) {
         let turn =
             |turn: Option<f64>| turn.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::Angle, si));
@@ -280,7 +277,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     }
     let chosen = Chosen { analysis, units };
     let each = |f: &dyn Fn(&Travel) -> Option<String>| [0, 1].map(|i| f(analysis.travel[i].as_ref()?));
-    let mut way = Table::of_two("From the impact to rest", ["vehicle 1", "vehicle 2", "source"]);
+    let mut way = Table::of_vehicles("From the impact to rest");
     let origin = |travel: &Travel| {
         Some(match travel.origin {
             TravelOrigin::Impact => "the impact".to_owned(),
@@ -350,7 +347,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     };
     way.pair("  yaw rate at the start by it", each(&yaw_rate), "theory 11");
 
-    let mut energy = Table::of_two("Energy on the path to rest", ["vehicle 1", "vehicle 2", "source"]);
+    let mut energy = Table::of_vehicles("Energy on the path to rest");
     let joules =
         |f: fn(&Travel) -> f64| move |travel: &Travel| Some(units.format(Measure::Energy, f(travel)));
     energy.pair("kinetic energy at the start", each(&joules(|t| t.rest.energy.start)), "theory 11");

@@ -150,16 +150,13 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         return;
     }
     let unit = units.name(Measure::RoadSpeed);
-    let mut table = Table::new(
-        WHICH,
-        [
-            Column::words("record", 7),
-            Column::numbers("after the last", 15).unit("s"),
-            Column::numbers("ΔV", 9).unit(unit),
-            Column::numbers("PDOF", 6).unit("°"),
-            Column::words("", Width::Share),
-        ],
-    );
+    let mut table = Table::new(WHICH).columns([
+        Column::words("record", 7),
+        Column::numbers("after the last", 15).unit("s"),
+        Column::numbers("ΔV", 9).unit(unit),
+        Column::numbers("PDOF", 6).unit("°"),
+        Column::words("", Width::Share),
+    ]);
     let degrees = |direction: f64| number(direction.to_degrees(), 0);
     for one in in_order(found) {
         let OfImpact { number: place, since_previous, event, .. } = one.of_impact;
@@ -211,15 +208,12 @@ fn milliseconds(time: f64) -> String {
 
 /// What each heading was taken for, and the cells without a value.
 fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSource, table: &RecorderTable) {
-    let mut rows = Table::new(
-        "Recognised",
-        [
-            Column::words("heading", Width::Fit(30)),
-            Column::words("read as", Width::Fit(18)),
-            Column::words("unit", Width::Fit(6)),
-            Column::numbers("values", Width::Fit(8)),
-        ],
-    );
+    let mut rows = Table::new("Recognised").columns([
+        Column::words("heading", Width::Fit(30)),
+        Column::words("read as", Width::Fit(18)),
+        Column::words("unit", Width::Fit(6)),
+        Column::numbers("values", Width::Fit(8)),
+    ]);
     for column in &table.columns {
         let filled = column.values.iter().flatten().count();
         rows.row([
@@ -375,7 +369,7 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     for name in ["at least", "right", "between", "left", "at most"] {
         columns.push(Column::numbers(name, 10).unit(length));
     }
-    let mut table = Table::new("Samples", columns);
+    let mut table = Table::new("Samples").columns(columns);
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
     let decimals = usize::from(pedals().any(|percent| percent.fract() != 0.0));
     let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
@@ -408,15 +402,12 @@ const SURELY: f64 = 4.0;
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
     let unit = units.name(Measure::RoadSpeed);
     let plain = |si: f64| units.plain(Measure::RoadSpeed, si);
-    let mut table = Table::new(
-        "Speed at impact",
-        [
-            Column::words("", Width::Fit(44)),
-            Column::numbers("changes it by", 15).unit(unit),
-            Column::numbers("sd", 9).unit(unit),
-            Column::numbers("of the variance", 17).unit("%"),
-        ],
-    );
+    let mut table = Table::new("Speed at impact").columns([
+        Column::words("", Width::Fit(44)),
+        Column::numbers("changes it by", 15).unit(unit),
+        Column::numbers("sd", 9).unit(unit),
+        Column::numbers("of the variance", 17).unit("%"),
+    ]);
     let whole: f64 = speed.parts.iter().map(|part| part.variance).sum();
     table.row([
         format!("stored at {} s", number(speed.time, 2)),
@@ -507,19 +498,16 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
     }
     let unit = units.name(Measure::RoadSpeed);
     let delta_v = |name: &str| Column::numbers(name, 14).unit(unit);
-    let mut table = Table::new(
-        "Pulse",
-        [
-            Column::words("by", Width::Fit(28)),
-            Column::numbers("from", 7).unit("ms"),
-            Column::numbers("to", 7).unit("ms"),
-            delta_v("longitudinal"),
-            delta_v("lateral"),
-            Column::numbers("ΔV", 9).unit(unit),
-            Column::numbers("PDOF", 7).unit("°"),
-            Column::words("", Width::Fit(12)),
-        ],
-    );
+    let mut table = Table::new("Pulse").columns([
+        Column::words("by", Width::Fit(28)),
+        Column::numbers("from", 7).unit("ms"),
+        Column::numbers("to", 7).unit("ms"),
+        delta_v("longitudinal"),
+        delta_v("lateral"),
+        Column::numbers("ΔV", 9).unit(unit),
+        Column::numbers("PDOF", 7).unit("°"),
+        Column::words("", Width::Fit(12)),
+    ]);
     for span in &found.spans {
         let part = |si: Option<f64>| si.map_or(NONE.to_owned(), |si| units.signed(Measure::RoadSpeed, si));
         let direction = match span.delta_v {

@@ -120,8 +120,6 @@ struct Page<'a> {
 
 /// The headings of the columns of the vehicles.
 const VEHICLES: [&str; 3] = ["vehicle 1", "vehicle 2", ""];
-/// The same, if each row has a source.
-const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
 
 impl Page<'_> {
     /// The findings of the exact solution: as the answer, or as a paragraph if it is not the answer.
@@ -416,7 +414,7 @@ impl Page<'_> {
 
     fn motion(&mut self, analysis: &Seen) {
         let chosen = Chosen { analysis, units: self.units };
-        let mut table = Table::of_two("Motion", SOURCED);
+        let mut table = Table::of_vehicles("Motion");
         chosen.pair(&mut table, &rows::SKID_SPEED);
         chosen.pair(&mut table, &rows::SPEED);
         chosen.vectors(&mut table, [&rows::VELOCITY_X, &rows::VELOCITY_Y]);
@@ -461,7 +459,7 @@ impl Page<'_> {
         if analysis.vehicles.iter().all(|vehicle| vehicle.crush_energy().is_none()) {
             return;
         }
-        let mut table = Table::of_two("Damage", SOURCED);
+        let mut table = Table::of_vehicles("Damage");
         let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
         let energy = |si: f64| units.format(Measure::Energy, si);
         if damage.iter().flatten().any(|damage| damage.inferred.is_some()) {
@@ -506,7 +504,7 @@ impl Page<'_> {
             format!("{factor} (energy basis: {}{assumed})", basis::named(basis))
         });
         self.document.push(table);
-        let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);
+        let mut table = Table::of_vehicles("CRASH3 by vehicle");
         if analysis.exchange().is_some() {
             let of = match &analysis.both {
                 Some(both) if !both.is_by_crush() => "that of momentum",

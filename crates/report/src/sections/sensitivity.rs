@@ -62,16 +62,13 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
         Measure::Speed => (Measure::RoadSpeed, units.speed(first.output_value)),
         other => (other, units.format(other, first.output_value)),
     };
-    let mut table = Table::new(
-        format!("{}, {value}", output_name(first.output)),
-        [
-            Column::words("", 34),
-            Column::words("", 16),
-            Column::numbers("change per unit", 28),
-            Column::numbers("% per %", 10),
-            Column::numbers("influence", 10),
-        ],
-    );
+    let mut table = Table::new(format!("{}, {value}", output_name(first.output))).columns([
+        Column::words("", 34),
+        Column::words("", 16),
+        Column::numbers("change per unit", 28),
+        Column::numbers("% per %", 10),
+        Column::numbers("influence", 10),
+    ]);
     let largest = group.iter().map(size).fold(0.0, f64::max);
     let (with, without): (Vec<&Derivative>, Vec<&Derivative>) =
         group.iter().partition(|row| size(row) > ROUNDING * largest);
@@ -101,19 +98,16 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
 fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
     let speed = units.name(Measure::RoadSpeed);
     let delta_v = |name: &str| Column::numbers(name, 12).unit(speed);
-    let mut table = Table::new(
-        "PDOF sweep, CRASH3",
-        [
-            Column::words("", 22).unit("change, °"),
-            Column::numbers("PDOF 1", 9).unit("°"),
-            Column::numbers("PDOF 2", 9).unit("°"),
-            Column::numbers("ΔV", 10).unit("vehicle"),
-            delta_v("uncorrected"),
-            delta_v("corrected"),
-            delta_v("capped"),
-            delta_v("uncapped"),
-        ],
-    );
+    let mut table = Table::new("PDOF sweep, CRASH3").columns([
+        Column::words("", 22).unit("change, °"),
+        Column::numbers("PDOF 1", 9).unit("°"),
+        Column::numbers("PDOF 2", 9).unit("°"),
+        Column::numbers("ΔV", 10).unit("vehicle"),
+        delta_v("uncorrected"),
+        delta_v("corrected"),
+        delta_v("capped"),
+        delta_v("uncapped"),
+    ]);
     for row in &sensitivity.pdof_sweep {
         // A fixed object has no ΔV.
         for (n, vehicle) in [0, 1].into_iter().filter(|vehicle| !case.vehicles[*vehicle].fixed).enumerate() {

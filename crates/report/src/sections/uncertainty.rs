@@ -215,18 +215,15 @@ impl<'a> Page<'a> {
     }
 
     fn results(&mut self) {
-        let mut table = Table::new(
-            "Results",
-            [
-                Column::words("", 30),
-                Column::numbers("central", 11),
-                Column::numbers("mean", 11),
-                Column::numbers("median", 11),
-                Column::numbers("std. dev.", 12),
-                Column::numbers("first order", 13),
-                Column::numbers("differs", 10),
-            ],
-        );
+        let mut table = Table::new("Results").columns([
+            Column::words("", 30),
+            Column::numbers("central", 11),
+            Column::numbers("mean", 11),
+            Column::numbers("median", 11),
+            Column::numbers("std. dev.", 12),
+            Column::numbers("first order", 13),
+            Column::numbers("differs", 10),
+        ]);
         let none = || NONE.to_owned();
         let mut apart = Vec::new();
         for (output, summary) in self.rows() {
@@ -293,7 +290,7 @@ impl<'a> Page<'a> {
             columns.push(Column::numbers("", END + 1));
             columns.push(Column::numbers(level, END + 1));
         }
-        let mut table = Table::new("Intervals", columns);
+        let mut table = Table::new("Intervals").columns(columns);
         for (output, summary) in self.rows() {
             let label = self.label(output, pictured(output.output));
             let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
@@ -345,10 +342,11 @@ impl<'a> Page<'a> {
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
         let alone = pictured(output.output);
         let title = self.label(output, alone);
-        let mut table = Table::new(
-            title,
-            [Column::words("", 25), Column::numbers("", 10), Column::bars("", Width::Share)],
-        );
+        let mut table = Table::new(title).columns([
+            Column::words("", 25),
+            Column::numbers("", 10),
+            Column::bars("", Width::Share),
+        ]);
         for (class, &count) in (0_u32..).zip(&histogram.counts) {
             let low = histogram.low + f64::from(class) * histogram.width;
             let from = self.units.plain(alone, low);
@@ -406,16 +404,13 @@ impl<'a> Page<'a> {
             .flat_map(|bar| [&bar.low, &bar.high])
             .filter_map(|end| value(end, place))
             .fold(0.0_f64, |longest, value| longest.max((value - output.central).abs()));
-        let mut table = Table::new(
-            title,
-            [
-                Column::words("", 36),
-                Column::numbers(format!("low, {unit}"), 10),
-                Column::numbers("high", 10),
-                Column::bars("", 2 * SIDE + 3),
-                Column::numbers("first order", 11),
-            ],
-        );
+        let mut table = Table::new(title).columns([
+            Column::words("", 36),
+            Column::numbers(format!("low, {unit}"), 10),
+            Column::numbers("high", 10),
+            Column::bars("", 2 * SIDE + 3),
+            Column::numbers("first order", 11),
+        ]);
         for bar in bars.iter().take(BARS) {
             let [low, high] = [&bar.low, &bar.high].map(|end| match &end.outputs {
                 Ok(outputs) => self.units.plain(alone, outputs.get(place).copied().unwrap_or(f64::NAN)),
@@ -453,16 +448,13 @@ impl<'a> Page<'a> {
             self.document.paragraph("Too few rows have an answer, or the result does not vary.");
             return;
         };
-        let mut table = Table::new(
-            title,
-            [
-                Column::words("", 36),
-                Column::numbers("first", 10),
-                Column::numbers("95 %", 20),
-                Column::numbers("total", 10),
-                Column::numbers("95 %", 20),
-            ],
-        );
+        let mut table = Table::new(title).columns([
+            Column::words("", 36),
+            Column::numbers("first", 10),
+            Column::numbers("95 %", 20),
+            Column::numbers("total", 10),
+            Column::numbers("95 %", 20),
+        ]);
         let mut ranked: Vec<_> = self.uncertainty.inputs.iter().zip(all).collect();
         ranked.sort_by(|(_, one), (_, other)| other.total.value.total_cmp(&one.total.value));
         let cells = |index: Index| {
@@ -488,15 +480,12 @@ impl<'a> Page<'a> {
     }
 
     fn inputs(&mut self) {
-        let mut table = Table::new(
-            "Ranges",
-            [
-                Column::words("", 36),
-                Column::numbers("central value", 24),
-                Column::words("", 2),
-                Column::words("distribution", Width::Share),
-            ],
-        );
+        let mut table = Table::new("Ranges").columns([
+            Column::words("", 36),
+            Column::numbers("central value", 24),
+            Column::words("", 2),
+            Column::words("distribution", Width::Share),
+        ]);
         let mut cut = Vec::new();
         for input in &self.uncertainty.inputs {
             let central = with_unit(input, &input.input.number.to_string());
@@ -597,14 +586,11 @@ impl<'a> Page<'a> {
             self.document.paragraph("Taken as exact: no number of the case.");
             return;
         }
-        let mut table = Table::new(
-            "Taken as exact",
-            [
-                Column::words("", 34),
-                Column::words("value", 26),
-                Column::words("how well it is usually known", Width::Share),
-            ],
-        );
+        let mut table = Table::new("Taken as exact").columns([
+            Column::words("", 34),
+            Column::words("value", 26),
+            Column::words("how well it is usually known", Width::Share),
+        ]);
         let mut sources = Vec::new();
         for TakenAsExact { key, value } in exact {
             let value = match value {

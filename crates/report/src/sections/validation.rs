@@ -104,7 +104,7 @@ fn table(words: usize, claims: bool, header: &[&str], rows: impl IntoIterator<It
         let is_words = i < words || claims && i + 1 == header.len();
         if is_words { Column::words(*name, Width::Fit(0)) } else { Column::numbers(*name, Width::Fit(0)) }
     };
-    let mut table = Table::new("", header.iter().enumerate().map(column).collect::<Vec<_>>());
+    let mut table = Table::new("").columns(header.iter().enumerate().map(column).collect::<Vec<_>>());
     rows.into_iter().for_each(|row| table.cells(row));
     table
 }
@@ -258,15 +258,12 @@ fn record(page: &mut Document, validation: &Validation) {
             folded(&result, 22),
         ]
     });
-    let mut record = Table::new(
-        "",
-        [
-            Column::words("requirement", 34),
-            Column::words("test", 24),
-            Column::words("acceptance", 18),
-            Column::words("result", Width::Share),
-        ],
-    );
+    let mut record = Table::new("").columns([
+        Column::words("requirement", 34),
+        Column::words("test", 24),
+        Column::words("acceptance", 18),
+        Column::words("result", Width::Share),
+    ]);
     rows.for_each(|row| record.row(row));
     let hash = crate::data::sha256(validation.data.texts().concat().as_bytes());
     page.heading("Record of the validation");

@@ -8,7 +8,7 @@ use case::Case;
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 
-use super::{Step, StepGroup, angle, given, group, n, step};
+use super::{Step, StepGroup, angle, group, n, step};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -49,7 +49,7 @@ fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<St
     };
     let instead = if has_impulse { ", used for CRASH3 in place of that of the impulse" } else { "" };
     let name = format!("PDOF of vehicle {i} {what}{instead}");
-    Some(given(name, pdof_symbol(vehicle, i), pdof.to_degrees(), "°", source))
+    Some(step(name, pdof_symbol(vehicle, i)).is(pdof.to_degrees(), "°", source))
 }
 
 fn oblique(
@@ -75,24 +75,19 @@ fn oblique(
         _ if oblique.factor.capped => (", at CRASH3's limit of 45°", "Eq 8"),
         _ => ("", "Eq 8"),
     };
-    steps.push(step(
-        format!("factor of the oblique correction{of}, vehicle {i}"),
-        format!("f_{i}"),
-        formula,
-        numbers,
-        oblique.factor.factor,
-        "",
-        source,
-    ));
-    steps.push(step(
-        format!("corrected crush energy, vehicle {i}"),
-        format!("E'_{i}"),
-        format!("E_{i} f_{i}"),
-        format!("{} · {}", n(damage.crush_energy, "J"), n(oblique.factor.factor, "")),
-        oblique.corrected_crush_energy,
-        "J",
-        "Eq 8",
-    ));
+    steps.push(
+        step(format!("factor of the oblique correction{of}, vehicle {i}"), format!("f_{i}"))
+            .equals(formula, numbers)
+            .is(oblique.factor.factor, "", source),
+    );
+    steps.push(
+        step(format!("corrected crush energy, vehicle {i}"), format!("E'_{i}"))
+            .equals(
+                format!("E_{i} f_{i}"),
+                format!("{} · {}", n(damage.crush_energy, "J"), n(oblique.factor.factor, "")),
+            )
+            .is(oblique.corrected_crush_energy, "J", "Eq 8"),
+    );
     steps
 }
 
@@ -100,16 +95,13 @@ fn oblique(
 fn oblique_angle(pdofs: Option<(f64, f64)>, alpha: f64, pdof_symbol: &str, i: VehicleId) -> Step {
     let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
     match pdofs {
-        Some((pdof, square)) if (pdof - square - alpha).abs() < 1e-9 => step(
-            name,
-            format!("α_{i}"),
-            format!("{pdof_symbol} − PDOF of a square hit"),
-            format!("{} − {}", angle(pdof), angle(square)),
-            alpha.to_degrees(),
-            "°",
-            "theory 5",
-        ),
-        _ => given(name, format!("α_{i}"), alpha.to_degrees(), "°", "theory 5"),
+        Some((pdof, square)) if (pdof - square - alpha).abs() < 1e-9 => step(name, format!("α_{i}"))
+            .equals(
+                format!("{pdof_symbol} − PDOF of a square hit"),
+                format!("{} − {}", angle(pdof), angle(square)),
+            )
+            .is(alpha.to_degrees(), "°", "theory 5"),
+        _ => step(name, format!("α_{i}")).is(alpha.to_degrees(), "°", "theory 5"),
     }
 }
 

@@ -12,7 +12,7 @@ use case::{Basis, Case, Crush, CrushEvidence};
 use crash3::{Profile, SideStiffness, Yielding};
 use pim_core::VehicleId;
 
-use super::{Step, StepGroup, given, group, n, p, step};
+use super::{Step, StepGroup, group, n, p, step};
 use crate::{basis, words};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
@@ -24,7 +24,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
             groups.push(group(format!("Crush energy of vehicle {i}"), step));
         } else if let Some(deformation_energy) = vehicle.subject.deformation_energy {
             let name = format!("energy that deformed object {i}");
-            let step = given(name, format!("E_{i}"), deformation_energy, "J", "input");
+            let step = step(name, format!("E_{i}")).is(deformation_energy, "J", "input");
             groups.push(group(format!("Energy of object {i}"), vec![step]));
         }
     }
@@ -79,24 +79,16 @@ fn energy_alone(vehicle: &Vehicle, i: VehicleId) -> Option<Vec<Step>> {
     let (inertia, energy) = vehicle.subject.inertia.zip(vehicle.energy)?;
     if vehicle.subject.energy?.ees.is_none() {
         let name = format!("crush energy of vehicle {i}, which has no damage that counts");
-        return Some(vec![given(name, format!("E_{i}"), 0.0, "J", "input")]);
+        return Some(vec![step(name, format!("E_{i}")).is(0.0, "J", "input")]);
     }
-    let ees = given(
-        format!("energy equivalent speed of vehicle {i}"),
-        format!("EES_{i}"),
-        energy.ees,
-        "m/s",
-        "input",
-    );
-    let crush_energy = step(
-        format!("crush energy of vehicle {i}"),
-        format!("E_{i}"),
-        format!("½ m_{i} EES_{i}²"),
-        format!("1 / 2 · {} · {}²", n(inertia.mass, "kg"), p(energy.ees, "m/s")),
-        energy.crush_energy,
-        "J",
-        "theory 5",
-    );
+    let ees = step(format!("energy equivalent speed of vehicle {i}"), format!("EES_{i}"))
+        .is(energy.ees, "m/s", "input");
+    let crush_energy = step(format!("crush energy of vehicle {i}"), format!("E_{i}"))
+        .equals(
+            format!("½ m_{i} EES_{i}²"),
+            format!("1 / 2 · {} · {}²", n(inertia.mass, "kg"), p(energy.ees, "m/s")),
+        )
+        .is(energy.crush_energy, "J", "theory 5");
     Some(vec![ees, crush_energy])
 }
 
@@ -105,30 +97,28 @@ fn speeds(vehicle: &Vehicle, damage: &Damage, i: VehicleId) -> Vec<Step> {
     let Some(inertia) = vehicle.subject.inertia else { return Vec::new() };
     let mut steps = Vec::new();
     if let (SideStiffness::Uniform(stiffness), Some(speed)) = (&damage.structure, vehicle.no_damage_speed()) {
-        steps.push(step(
-            format!("no-damage speed of vehicle {i}"),
-            format!("b_0,{i}"),
-            format!("√(2 G_{i} L_{i}/m_{i})"),
-            format!(
-                "√(2 · {} · {} / {})",
-                n(stiffness.g(), "N"),
-                n(damage.width, "m"),
-                n(inertia.mass, "kg")
-            ),
-            speed,
-            "m/s",
-            "theory 5",
-        ));
+        steps.push(
+            step(format!("no-damage speed of vehicle {i}"), format!("b_0,{i}"))
+                .equals(
+                    format!("√(2 G_{i} L_{i}/m_{i})"),
+                    format!(
+                        "√(2 · {} · {} / {})",
+                        n(stiffness.g(), "N"),
+                        n(damage.width, "m"),
+                        n(inertia.mass, "kg")
+                    ),
+                )
+                .is(speed, "m/s", "theory 5"),
+        );
     }
-    steps.push(step(
-        format!("energy equivalent speed of vehicle {i}"),
-        format!("EES_{i}"),
-        format!("√(2 E_{i}/m_{i})"),
-        format!("√(2 · {} / {})", n(damage.crush_energy, "J"), n(inertia.mass, "kg")),
-        damage.ees,
-        "m/s",
-        "theory 5",
-    ));
+    steps.push(
+        step(format!("energy equivalent speed of vehicle {i}"), format!("EES_{i}"))
+            .equals(
+                format!("√(2 E_{i}/m_{i})"),
+                format!("√(2 · {} / {})", n(damage.crush_energy, "J"), n(inertia.mass, "kg")),
+            )
+            .is(damage.ees, "m/s", "theory 5"),
+    );
     steps
 }
 
@@ -152,7 +142,8 @@ pub(super) fn total(
         .unzip();
     let what = if prime.is_empty() { "crush energy" } else { "corrected crush energy" };
     let name = format!("{what}{}", words::of_crushed(&analysis.vehicles, symbols.len()));
-    step(name, format!("E{prime}"), symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
+    let sum = step(name, format!("E{prime}")).equals(symbols.join(" + "), numbers.join(" + "));
+    sum.is(crush_energy, "J", source)
 }
 
 /// The work that the impact has to do.
@@ -171,12 +162,12 @@ fn sought(analysis: &Seen) -> Vec<Step> {
     let name = format!("{kind} sought, basis {}", basis::named(analysis.basis));
     let mut steps = vec![both];
     steps.extend(share(analysis));
-    steps.push(step(name, symbol, work.0, work.1, found.normal_work, "J", "theory 6"));
+    steps.push(step(name, symbol).equals(work.0, work.1).is(found.normal_work, "J", "theory 6"));
     steps
 }
 
 /// λ, if the case gives one.
 pub(super) fn share(analysis: &Seen) -> Vec<Step> {
     let Basis::TangentialShare(share) = analysis.basis else { return Vec::new() };
-    vec![given("share of the tangential work in the crush energy", "λ", share, "", "theory 6")]
+    vec![step("share of the tangential work in the crush energy", "λ").is(share, "", "theory 6")]
 }

@@ -6,7 +6,7 @@ use pim_core::{Real, Vector2, VehicleId};
 
 use super::collision::{kinetic, relative, work};
 use super::damage::share;
-use super::{Step, StepGroup, angle, course, given, group, heading, n, p, step};
+use super::{Step, StepGroup, angle, course, group, heading, n, p, step};
 
 /// Both speeds.
 pub(super) fn both(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
@@ -59,16 +59,13 @@ impl Momentum<'_> {
                 let name = format!("velocity of vehicle {k} after impact along {axis}");
                 let symbol = format!("V_{k}{axis}");
                 steps.push(match told {
-                    Some((speed, direction)) => step(
-                        name,
-                        symbol,
-                        format!("V_{k} {function} φ_{k}"),
-                        format!("{} · {function}{}", n(speed.si(), "m/s"), angle(direction.si())),
-                        value,
-                        "m/s",
-                        "theory 10",
-                    ),
-                    None => given(name, symbol, value, "m/s", "theory 11"),
+                    Some((speed, direction)) => step(name, symbol)
+                        .equals(
+                            format!("V_{k} {function} φ_{k}"),
+                            format!("{} · {function}{}", n(speed.si(), "m/s"), angle(direction.si())),
+                        )
+                        .is(value, "m/s", "theory 10"),
+                    None => step(name, symbol).is(value, "m/s", "theory 11"),
                 });
             }
         }
@@ -84,21 +81,20 @@ impl Momentum<'_> {
             ("x", total.x, [one.velocity.x, two.velocity.x]),
             ("y", total.y, [one.velocity.y, two.velocity.y]),
         ] {
-            steps.push(step(
-                format!("momentum along {axis}"),
-                format!("p_{axis}"),
-                format!("m_1 V_1{axis} + m_2 V_2{axis}"),
-                format!(
-                    "{} · {} + {} · {}",
-                    n(m1, "kg"),
-                    n(parts[0], "m/s"),
-                    n(m2, "kg"),
-                    n(parts[1], "m/s")
-                ),
-                value,
-                "N·s",
-                "theory 10",
-            ));
+            steps.push(
+                step(format!("momentum along {axis}"), format!("p_{axis}"))
+                    .equals(
+                        format!("m_1 V_1{axis} + m_2 V_2{axis}"),
+                        format!(
+                            "{} · {} + {} · {}",
+                            n(m1, "kg"),
+                            n(parts[0], "m/s"),
+                            n(m2, "kg"),
+                            n(parts[1], "m/s")
+                        ),
+                    )
+                    .is(value, "N·s", "theory 10"),
+            );
         }
         match self.both.method {
             BothMethod::Momentum => steps.extend(self.crossing()),
@@ -116,30 +112,24 @@ impl Momentum<'_> {
         let [h1, h2, between] = [one, two, two - one].map(angle);
         let [v1, v2] = self.both.speeds;
         vec![
-            step(
-                "speed of vehicle 1",
-                "v_1",
-                format!("(p_x sin {a2} − p_y cos {a2})/(m_1 sin({a2} − {a1}))"),
-                format!(
-                    "({x} · sin{h2} − {y} · cos{h2}) / ({} · sin{between})",
-                    n(self.mass(VehicleId::One), "kg")
-                ),
-                v1,
-                "m/s",
-                "theory 10",
-            ),
-            step(
-                "speed of vehicle 2",
-                "v_2",
-                format!("(p_y cos {a1} − p_x sin {a1})/(m_2 sin({a2} − {a1}))"),
-                format!(
-                    "({y} · cos{h1} − {x} · sin{h1}) / ({} · sin{between})",
-                    n(self.mass(VehicleId::Two), "kg")
-                ),
-                v2,
-                "m/s",
-                "theory 10",
-            ),
+            step("speed of vehicle 1", "v_1")
+                .equals(
+                    format!("(p_x sin {a2} − p_y cos {a2})/(m_1 sin({a2} − {a1}))"),
+                    format!(
+                        "({x} · sin{h2} − {y} · cos{h2}) / ({} · sin{between})",
+                        n(self.mass(VehicleId::One), "kg")
+                    ),
+                )
+                .is(v1, "m/s", "theory 10"),
+            step("speed of vehicle 2", "v_2")
+                .equals(
+                    format!("(p_y cos {a1} − p_x sin {a1})/(m_2 sin({a2} − {a1}))"),
+                    format!(
+                        "({y} · cos{h1} − {x} · sin{h1}) / ({} · sin{between})",
+                        n(self.mass(VehicleId::Two), "kg")
+                    ),
+                )
+                .is(v2, "m/s", "theory 10"),
         ]
     }
 
@@ -152,52 +142,33 @@ impl Momentum<'_> {
         let [own, between] = [own, others - own].map(angle);
         let known = self.both.speeds[other.index()];
         vec![
-            given(format!("speed of vehicle {other}"), format!("v_{other}"), known, "m/s", "input"),
-            step(
-                format!("speed of vehicle {k}"),
-                format!("v_{k}"),
-                format!("(p_x cos {a} + p_y sin {a} − m_{other} v_{other} cos({b} − {a}))/m_{k}"),
-                format!(
-                    "({x} · cos{own} + {y} · sin{own} − {} · {} · cos{between}) / {}",
-                    n(self.mass(other), "kg"),
-                    n(known, "m/s"),
-                    n(self.mass(k), "kg")
-                ),
-                self.both.speeds[k.index()],
-                "m/s",
-                "theory 10",
-            ),
+            step(format!("speed of vehicle {other}"), format!("v_{other}")).is(known, "m/s", "input"),
+            step(format!("speed of vehicle {k}"), format!("v_{k}"))
+                .equals(
+                    format!("(p_x cos {a} + p_y sin {a} − m_{other} v_{other} cos({b} − {a}))/m_{k}"),
+                    format!(
+                        "({x} · cos{own} + {y} · sin{own} − {} · {} · cos{between}) / {}",
+                        n(self.mass(other), "kg"),
+                        n(known, "m/s"),
+                        n(self.mass(k), "kg")
+                    ),
+                )
+                .is(self.both.speeds[k.index()], "m/s", "theory 10"),
         ]
     }
 
     /// The speed into a fixed object is the root of a linear equation; it is checked by the restitution.
     fn wall(&self, k: VehicleId, restitution: f64) -> Vec<Step> {
-        let implied = &self.both.implied;
+        let [before, after] =
+            [self.both.implied.approach, self.both.implied.separation].map(|velocity| velocity.normal);
+        let found = step(format!("speed of vehicle {k}, found with U_n = −e u_n"), format!("v_{k}"));
         vec![
-            given(
-                format!("speed of vehicle {k}, found with U_n = −e u_n"),
-                format!("v_{k}"),
-                self.both.speeds[k.index()],
-                "m/s",
-                "theory 10",
-            ),
-            given("restitution", "e", restitution, "", "input"),
-            given(
-                "relative velocity at C along n, before",
-                "u_n",
-                implied.approach.normal,
-                "m/s",
-                "theory 10",
-            ),
-            step(
-                "relative velocity at C along n, after",
-                "U_n",
-                "−e u_n",
-                format!("−{} · {}", n(restitution, ""), n(implied.approach.normal, "m/s")),
-                implied.separation.normal,
-                "m/s",
-                "theory 10",
-            ),
+            found.is(self.both.speeds[k.index()], "m/s", "theory 10"),
+            step("restitution", "e").is(restitution, "", "input"),
+            step("relative velocity at C along n, before", "u_n").is(before, "m/s", "theory 10"),
+            step("relative velocity at C along n, after", "U_n")
+                .equals("−e u_n", format!("−{} · {}", n(restitution, ""), n(before, "m/s")))
+                .is(after, "m/s", "theory 10"),
         ]
     }
 
@@ -212,34 +183,34 @@ impl Momentum<'_> {
             for (axis, function, before, after, change) in
                 [("x", "cos", before.x, after.x, change.x), ("y", "sin", before.y, after.y, change.y)]
             {
-                steps.push(step(
-                    format!("velocity of vehicle {k} before impact along {axis}"),
-                    format!("v_{k}{axis}"),
-                    format!("v_{k} {function} {symbol}"),
-                    format!("{} · {function}{}", n(self.both.speeds[i], "m/s"), angle(course)),
-                    before,
-                    "m/s",
-                    "theory 1",
-                ));
-                steps.push(step(
-                    format!("velocity change of vehicle {k} along {axis}"),
-                    format!("ΔV_{k}{axis}"),
-                    format!("V_{k}{axis} − v_{k}{axis}"),
-                    format!("{} − {}", n(after, "m/s"), n(before, "m/s")),
-                    change,
-                    "m/s",
-                    "theory 10",
-                ));
+                steps.push(
+                    step(
+                        format!("velocity of vehicle {k} before impact along {axis}"),
+                        format!("v_{k}{axis}"),
+                    )
+                    .equals(
+                        format!("v_{k} {function} {symbol}"),
+                        format!("{} · {function}{}", n(self.both.speeds[i], "m/s"), angle(course)),
+                    )
+                    .is(before, "m/s", "theory 1"),
+                );
+                steps.push(
+                    step(format!("velocity change of vehicle {k} along {axis}"), format!("ΔV_{k}{axis}"))
+                        .equals(
+                            format!("V_{k}{axis} − v_{k}{axis}"),
+                            format!("{} − {}", n(after, "m/s"), n(before, "m/s")),
+                        )
+                        .is(change, "m/s", "theory 10"),
+                );
             }
-            steps.push(step(
-                format!("ΔV of vehicle {k} by momentum"),
-                format!("ΔV_{k}"),
-                format!("√(ΔV_{k}x² + ΔV_{k}y²)"),
-                format!("√({}² + {}²)", p(change.x, "m/s"), p(change.y, "m/s")),
-                change.norm(),
-                "m/s",
-                "theory 10",
-            ));
+            steps.push(
+                step(format!("ΔV of vehicle {k} by momentum"), format!("ΔV_{k}"))
+                    .equals(
+                        format!("√(ΔV_{k}x² + ΔV_{k}y²)"),
+                        format!("√({}² + {}²)", p(change.x, "m/s"), p(change.y, "m/s")),
+                    )
+                    .is(change.norm(), "m/s", "theory 10"),
+            );
             steps.push(self.pdof(k, effect));
         }
         let impulse = effect.impulse_vector;
@@ -260,7 +231,8 @@ impl Momentum<'_> {
                 ),
             };
             let name = format!("impulse on vehicle 1 along {axis}, the mean by both vehicles");
-            steps.push(step(name, format!("P_{axis}"), formula, numbers, value, "N·s", "theory 10"));
+            let impulse = step(name, format!("P_{axis}")).equals(formula, numbers);
+            steps.push(impulse.is(value, "N·s", "theory 10"));
         }
         steps
     }
@@ -284,12 +256,12 @@ impl Momentum<'_> {
         step(
             format!("principal direction of force on vehicle {k}, clockwise from its heading"),
             format!("PDOF_{k}"),
+        )
+        .equals(
             format!("atan2({left}, −ΔV_{k}x cos θ_{k} − ΔV_{k}y sin θ_{k})"),
             format!("atan2({left_numbers}, (−1) · {x} · cos{theta} − {y} · sin{theta})"),
-            effect.pdof[k.index()].to_degrees(),
-            "°",
-            "theory 4",
         )
+        .is(effect.pdof[k.index()].to_degrees(), "°", "theory 4")
     }
 
     /// Relative velocities, restitution, impulse ratio and works; empty for point masses.
@@ -303,10 +275,12 @@ impl Momentum<'_> {
         for (axis, before, after) in [("n", u.normal, v.normal), ("t", u.tangential, v.tangential)] {
             let (formula, numbers) = relative(axis, ["v", "ω"], contact, &moving, &effect.before);
             let name = format!("relative velocity at C along {axis}, before");
-            steps.push(step(name, format!("u_{axis}"), formula, numbers, before, "m/s", "theory 1"));
+            let approach = step(name, format!("u_{axis}")).equals(formula, numbers);
+            steps.push(approach.is(before, "m/s", "theory 1"));
             let (formula, numbers) = relative(axis, ["V", "Ω"], contact, &moving, &self.both.implied.after);
             let name = format!("relative velocity at C along {axis}, after");
-            steps.push(step(name, format!("U_{axis}"), formula, numbers, after, "m/s", "theory 10"));
+            let separation = step(name, format!("U_{axis}")).equals(formula, numbers);
+            steps.push(separation.is(after, "m/s", "theory 10"));
         }
         let (x, y) = (n(effect.impulse_vector.x, "N·s"), n(effect.impulse_vector.y, "N·s"));
         for (axis, formula, numbers, value) in [
@@ -319,23 +293,18 @@ impl Momentum<'_> {
             ),
         ] {
             let name = format!("impulse along {axis}");
-            steps.push(step(name, format!("P_{axis}"), formula, numbers, value, "N·s", "theory 3"));
+            steps.push(step(name, format!("P_{axis}")).equals(formula, numbers).is(value, "N·s", "theory 3"));
         }
         if let Some(restitution) = effect.restitution {
             let numbers = format!("−{} / {}", p(v.normal, "m/s"), n(u.normal, "m/s"));
-            steps.push(step(
-                "restitution by momentum",
-                "e",
-                "−U_n/u_n",
-                numbers,
-                restitution,
-                "",
-                "theory 10",
-            ));
+            let by_momentum = step("restitution by momentum", "e").equals("−U_n/u_n", numbers);
+            steps.push(by_momentum.is(restitution, "", "theory 10"));
         }
         if let Some(ratio) = at.impulse_ratio {
             let numbers = format!("{} / {}", n(at.impulse.tangential, "N·s"), n(at.impulse.normal, "N·s"));
-            steps.push(step("impulse ratio by momentum", "μ", "P_t/P_n", numbers, ratio, "", "theory 3"));
+            steps.push(
+                step("impulse ratio by momentum", "μ").equals("P_t/P_n", numbers).is(ratio, "", "theory 3"),
+            );
         }
         let energy = effect.energy;
         steps.push(work("normal work", "n", [at.impulse.normal, u.normal, v.normal], energy.normal_work));
@@ -363,28 +332,18 @@ impl Momentum<'_> {
         let mut steps = vec![
             before,
             after,
-            step(
-                "energy loss by momentum",
-                "E_L",
-                "T − T'",
-                format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")),
-                energy.loss,
-                "J",
-                "theory 10",
-            ),
+            step("energy loss by momentum", "E_L")
+                .equals("T − T'", format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")))
+                .is(energy.loss, "J", "theory 10"),
         ];
         if energy.moment_work != 0.0 {
             let [loss, normal, tangential] =
                 [energy.loss, energy.normal_work, energy.tangential_work].map(|work| n(work, "J"));
-            steps.push(step(
-                "moment work, what the impulse at C leaves of the loss",
-                "W_m",
-                "E_L − W_n − W_t",
-                format!("{loss} − {normal} − {tangential}"),
-                energy.moment_work,
-                "J",
-                "theory 4",
-            ));
+            steps.push(
+                step("moment work, what the impulse at C leaves of the loss", "W_m")
+                    .equals("E_L − W_n − W_t", format!("{loss} − {normal} − {tangential}"))
+                    .is(energy.moment_work, "J", "theory 4"),
+            );
         }
         steps
     }
@@ -405,42 +364,36 @@ impl Momentum<'_> {
         };
         let found = |k: VehicleId, speed: f64| {
             let name = format!("speed of vehicle {k}, found with {condition}");
-            given(name, format!("v_{k}"), speed, "m/s", "theory 10")
+            step(name, format!("v_{k}")).is(speed, "m/s", "theory 10")
         };
         let mut steps = share(self.analysis);
         steps.extend([
-            step(
-                "momentum along the shared line, at the angle a",
-                "p_a",
-                "p_x cos a + p_y sin a",
-                format!(
-                    "{} · cos{} + {} · sin{}",
-                    n(total.x, "N·s"),
-                    angle(direction),
-                    n(total.y, "N·s"),
-                    angle(direction)
-                ),
-                along,
-                "N·s",
-                "theory 10",
-            ),
+            step("momentum along the shared line, at the angle a", "p_a")
+                .equals(
+                    "p_x cos a + p_y sin a",
+                    format!(
+                        "{} · cos{} + {} · sin{}",
+                        n(total.x, "N·s"),
+                        angle(direction),
+                        n(total.y, "N·s"),
+                        angle(direction)
+                    ),
+                )
+                .is(along, "N·s", "theory 10"),
             found(VehicleId::One, v1),
             found(VehicleId::Two, v2),
-            step(
-                "momentum of these speeds along the line",
-                "p_a",
-                format!("m_1 v_1 cos({a1} − a) + m_2 v_2 cos({a2} − a)"),
-                format!(
-                    "{} · {} · cos{c1} + {} · {} · cos{c2}",
-                    n(self.mass(VehicleId::One), "kg"),
-                    n(v1, "m/s"),
-                    n(self.mass(VehicleId::Two), "kg"),
-                    n(v2, "m/s")
-                ),
-                along,
-                "N·s",
-                "theory 10",
-            ),
+            step("momentum of these speeds along the line", "p_a")
+                .equals(
+                    format!("m_1 v_1 cos({a1} − a) + m_2 v_2 cos({a2} − a)"),
+                    format!(
+                        "{} · {} · cos{c1} + {} · {} · cos{c2}",
+                        n(self.mass(VehicleId::One), "kg"),
+                        n(v1, "m/s"),
+                        n(self.mass(VehicleId::Two), "kg"),
+                        n(v2, "m/s")
+                    ),
+                )
+                .is(along, "N·s", "theory 10"),
         ]);
         steps
     }
@@ -455,21 +408,20 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
         }
         if let Some(skid) = analysis.skids[k.index()] {
             let speed = analysis.speed(k).abs();
-            let steps = vec![step(
-                format!("speed of vehicle {k} where its skid begins"),
-                format!("v_b{k}"),
-                format!("√(v_{k}² + 2 μ g S)"),
-                format!(
-                    "√({}² + 2 · {} · {} · {})",
-                    p(speed, "m/s"),
-                    n(skid.friction, ""),
-                    n(STANDARD_GRAVITY, "m/s²"),
-                    n(skid.length, "m")
-                ),
-                skid.speed,
-                "m/s",
-                "theory 11",
-            )];
+            let steps = vec![
+                step(format!("speed of vehicle {k} where its skid begins"), format!("v_b{k}"))
+                    .equals(
+                        format!("√(v_{k}² + 2 μ g S)"),
+                        format!(
+                            "√({}² + 2 · {} · {} · {})",
+                            p(speed, "m/s"),
+                            n(skid.friction, ""),
+                            n(STANDARD_GRAVITY, "m/s²"),
+                            n(skid.length, "m")
+                        ),
+                    )
+                    .is(skid.speed, "m/s", "theory 11"),
+            ];
             let is_graded = analysis.surface.as_ref().is_some_and(|ground| ground.grade.norm() > 0.0);
             let ground = if is_graded { ", on level ground, without the grade" } else { "" };
             groups.push(group(format!("Skid of vehicle {k} before impact{ground}"), steps));
@@ -483,53 +435,37 @@ fn closed(travel: &Travel, k: VehicleId) -> Vec<Step> {
     let (mu, g) = (n(travel.friction, ""), n(STANDARD_GRAVITY, "m/s²"));
     match travel.closed {
         None => Vec::new(),
-        Some(ClosedForm::Straight { drag_share, speed }) => vec![step(
-            format!("speed of vehicle {k} after impact, straight to rest"),
-            format!("V_{k}"),
-            "√(2 μ g f S)",
-            format!("√(2 · {mu} · {g} · {} · {})", n(drag_share, ""), n(distance, "m")),
-            speed,
-            "m/s",
-            "theory 11",
-        )],
+        Some(ClosedForm::Straight { drag_share, speed }) => vec![
+            step(format!("speed of vehicle {k} after impact, straight to rest"), format!("V_{k}"))
+                .equals(
+                    "√(2 μ g f S)",
+                    format!("√(2 · {mu} · {g} · {} · {})", n(drag_share, ""), n(distance, "m")),
+                )
+                .is(speed, "m/s", "theory 11"),
+        ],
         Some(ClosedForm::Spin(start)) => {
             let turn = travel.rest.heading - travel.start.heading;
             let body = travel.chassis.body();
             let square = body.yaw_inertia() / body.mass();
             vec![
-                step(
-                    format!("time of vehicle {k} to rest, spinning"),
-                    format!("T_{k}"),
-                    "√((2 S + 4 k² |Δψ|/(a + b))/(μ g))",
-                    format!(
-                        "√((2 · {} + 4 · {} · {} / {}) / ({mu} · {g}))",
-                        n(distance, "m"),
-                        n(square, "m²"),
-                        n(turn.abs(), ""),
-                        n(travel.chassis.wheelbase(), "m")
-                    ),
-                    start.time,
-                    "s",
-                    "theory 11",
-                ),
-                step(
-                    format!("speed of vehicle {k} after impact, spinning"),
-                    format!("V_{k}"),
-                    "2 S/T",
-                    format!("2 · {} / {}", n(distance, "m"), n(start.time, "s")),
-                    start.speed,
-                    "m/s",
-                    "theory 11",
-                ),
-                step(
-                    format!("yaw rate of vehicle {k} after impact, spinning"),
-                    format!("Ω_{k}"),
-                    "2 Δψ/T",
-                    format!("2 · {} / {}", n(turn, ""), n(start.time, "s")),
-                    start.yaw_rate,
-                    "rad/s",
-                    "theory 11",
-                ),
+                step(format!("time of vehicle {k} to rest, spinning"), format!("T_{k}"))
+                    .equals(
+                        "√((2 S + 4 k² |Δψ|/(a + b))/(μ g))",
+                        format!(
+                            "√((2 · {} + 4 · {} · {} / {}) / ({mu} · {g}))",
+                            n(distance, "m"),
+                            n(square, "m²"),
+                            n(turn.abs(), ""),
+                            n(travel.chassis.wheelbase(), "m")
+                        ),
+                    )
+                    .is(start.time, "s", "theory 11"),
+                step(format!("speed of vehicle {k} after impact, spinning"), format!("V_{k}"))
+                    .equals("2 S/T", format!("2 · {} / {}", n(distance, "m"), n(start.time, "s")))
+                    .is(start.speed, "m/s", "theory 11"),
+                step(format!("yaw rate of vehicle {k} after impact, spinning"), format!("Ω_{k}"))
+                    .equals("2 Δψ/T", format!("2 · {} / {}", n(turn, ""), n(start.time, "s")))
+                    .is(start.yaw_rate, "rad/s", "theory 11"),
             ]
         }
     }

@@ -166,7 +166,7 @@ mod tests {
             Column::numbers("speed", Width::Fit(0)).unit("km/h"),
             Column::numbers("what", Width::Fit(0)).goes_on("happened"),
         ];
-        let table = block(&Block::Table(Table::new("", columns)));
+        let table = block(&Block::Table(Table::new("").columns(columns)));
         assert!(table.starts_with("| speed, km/h | what happened |\n"), "{table}");
     }
 

@@ -12,7 +12,8 @@ use crate::units::Units;
 /// The tables that have rows.
 pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<Table> {
     let pairs = |title: &str, [key, value]: [&str; 2], rows: Vec<(String, String)>| {
-        let mut table = Table::new(title, [key, value].map(|name| Column::words(name, Width::Fit(0))));
+        let mut table =
+            Table::new(title).columns([key, value].map(|name| Column::words(name, Width::Fit(0))));
         rows.into_iter().for_each(|(key, value)| table.row([key, value]));
         table
     };
@@ -51,7 +52,7 @@ fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
 /// The numbers; the stations of a profile share a row, as in the file.
 fn numbers(file: &CaseFile) -> Table {
     let columns = ["key in the case file", "as given", "in SI units"];
-    let mut table = Table::new(NUMBERS, columns.map(|name| Column::words(name, Width::Fit(0))));
+    let mut table = Table::new(NUMBERS).columns(columns.map(|name| Column::words(name, Width::Fit(0))));
     let mut ranges = file.case.ranges.iter().peekable();
     let inputs = understood::numbers(&file.case);
     for row in

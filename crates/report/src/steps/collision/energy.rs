@@ -41,34 +41,24 @@ impl Collision<'_> {
         let energy = self.impact.outcome.energy;
         let numbers =
             format!("{} + {} · {}", n(energy.normal_work, "J"), n(share, ""), p(energy.tangential_work, "J"));
-        Some(step(
-            "crush energy, from the works",
-            "E",
-            "W_n + λ W_t",
-            numbers,
-            found.normal_work,
-            "J",
-            "theory 6",
-        ))
+        let crush = step("crush energy, from the works", "E").equals("W_n + λ W_t", numbers);
+        Some(crush.is(found.normal_work, "J", "theory 6"))
     }
 
     fn moment_work(&self) -> Step {
         let outcome = &self.impact.outcome;
         let [before, after] = outcome.relative_yaw_rate();
-        step(
-            "moment work",
-            "W_m",
-            "−½ M (ω_1 − ω_2 + Ω_1 − Ω_2)",
-            format!(
-                "(−½) · {} · ({} + {})",
-                n(outcome.moment_impulse, "N·m·s"),
-                n(before, "rad/s"),
-                n(after, "rad/s")
-            ),
-            outcome.energy.moment_work,
-            "J",
-            "theory 4",
-        )
+        step("moment work", "W_m")
+            .equals(
+                "−½ M (ω_1 − ω_2 + Ω_1 − Ω_2)",
+                format!(
+                    "(−½) · {} · ({} + {})",
+                    n(outcome.moment_impulse, "N·m·s"),
+                    n(before, "rad/s"),
+                    n(after, "rad/s")
+                ),
+            )
+            .is(outcome.energy.moment_work, "J", "theory 4")
     }
 
     /// The loss as the sum of the works, as the difference of the kinetic energies, and as a share.
@@ -83,25 +73,13 @@ impl Collision<'_> {
             numbers.push_str(&format!(" + {}", n(energy.moment_work, "J")));
         }
         [
-            step("energy loss", "E_L", formula, numbers, energy.loss, "J", "theory 4"),
-            step(
-                "the same from the motions",
-                "E_L",
-                "T − T'",
-                format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")),
-                energy.loss,
-                "J",
-                "theory 4",
-            ),
-            step(
-                "share of the initial energy",
-                "E_L/T",
-                "",
-                format!("{} / {}", n(energy.loss, "J"), n(energy.before, "J")),
-                100.0 * energy.loss / energy.before,
-                "%",
-                "theory 4",
-            ),
+            step("energy loss", "E_L").equals(formula, numbers).is(energy.loss, "J", "theory 4"),
+            step("the same from the motions", "E_L")
+                .equals("T − T'", format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")))
+                .is(energy.loss, "J", "theory 4"),
+            step("share of the initial energy", "E_L/T")
+                .equals("", format!("{} / {}", n(energy.loss, "J"), n(energy.before, "J")))
+                .is(100.0 * energy.loss / energy.before, "%", "theory 4"),
         ]
     }
 }
@@ -126,7 +104,7 @@ pub(in super::super) fn kinetic(
             (formula, numbers)
         };
         let (formula, numbers): (Vec<String>, Vec<String>) = moving.iter().map(term).unzip();
-        step(name, symbol, formula.join(" + "), numbers.join(" + "), value, "J", "theory 4")
+        step(name, symbol).equals(formula.join(" + "), numbers.join(" + ")).is(value, "J", "theory 4")
     };
     [
         of("kinetic energy before", "T", ["v", "ω"], before, values[0]),
@@ -136,13 +114,10 @@ pub(in super::super) fn kinetic(
 
 /// The work along n or t of an impulse, from the velocities before and after it.
 pub(in super::super) fn work(name: &str, axis: &str, [impulse, before, after]: [f64; 3], value: f64) -> Step {
-    step(
-        name,
-        format!("W_{axis}"),
-        format!("−½ P_{axis} (u_{axis} + U_{axis})"),
-        format!("(−½) · {} · ({} + {})", n(impulse, "N·s"), n(before, "m/s"), n(after, "m/s")),
-        value,
-        "J",
-        "Eq 4",
-    )
+    step(name, format!("W_{axis}"))
+        .equals(
+            format!("−½ P_{axis} (u_{axis} + U_{axis})"),
+            format!("(−½) · {} · ({} + {})", n(impulse, "N·s"), n(before, "m/s"), n(after, "m/s")),
+        )
+        .is(value, "J", "Eq 4")
 }

@@ -5,7 +5,7 @@ use crash3::{EnergyMoments, Side, SideStiffness, Stiffness};
 use pim_core::VehicleId;
 
 use super::super::damage::measured;
-use super::super::{Step, angle, digits, given, heading, n, p, step};
+use super::super::{Step, angle, digits, heading, n, p, step};
 use super::Collision;
 use crate::{axes, words};
 
@@ -14,13 +14,9 @@ type Entry = (&'static str, (String, String), f64, &'static str);
 
 impl Collision<'_> {
     pub(super) fn geometry(&self) -> Vec<Step> {
-        let mut direction = given(
-            "direction of n, from vehicle 2 to vehicle 1",
-            "Γ",
-            self.gamma.to_degrees(),
-            "°",
-            "theory 1",
-        );
+        let gamma = self.gamma.to_degrees();
+        let mut direction =
+            step("direction of n, from vehicle 2 to vehicle 1", "Γ").is(gamma, "°", "theory 1");
         if self.impact.contact.is_turned() {
             direction.name.push_str(" (the file's crush plane, turned by 180°)");
         }
@@ -50,24 +46,12 @@ impl Collision<'_> {
     ) -> [Step; 2] {
         let (d, phi) = (n(distance.si(), "m"), angle(phi.si()));
         [
-            step(
-                format!("contact point forward of CG {k}"),
-                format!("x_{k}"),
-                format!("d_{k} cos φ_{k}"),
-                format!("{d} · cos{phi}"),
-                forward,
-                "m",
-                "theory 1",
-            ),
-            step(
-                format!("contact point {} of CG {k}", axes::side_of_y(self.case.axes)),
-                format!("y_{k}"),
-                format!("d_{k} sin φ_{k}"),
-                format!("{d} · sin{phi}"),
-                aside,
-                "m",
-                "theory 1",
-            ),
+            step(format!("contact point forward of CG {k}"), format!("x_{k}"))
+                .equals(format!("d_{k} cos φ_{k}"), format!("{d} · cos{phi}"))
+                .is(forward, "m", "theory 1"),
+            step(format!("contact point {} of CG {k}", axes::side_of_y(self.case.axes)), format!("y_{k}"))
+                .equals(format!("d_{k} sin φ_{k}"), format!("{d} · sin{phi}"))
+                .is(aside, "m", "theory 1"),
         ]
     }
 
@@ -82,14 +66,10 @@ impl Collision<'_> {
         let (face, name_of_face) = (body.face(side), words::side_name(side));
         let source = if body.class.is_some() { "theory 5" } else { "input" };
         let mut steps = vec![
-            given(format!("{name_of_face} of vehicle {k} from its CG"), format!("f_{k}"), face, "m", source),
-            given(
-                format!("offset of the damage of vehicle {k}"),
-                format!("offset_{k}"),
-                offset,
-                "m",
-                "input",
-            ),
+            step(format!("{name_of_face} of vehicle {k} from its CG"), format!("f_{k}"))
+                .is(face, "m", source),
+            step(format!("offset of the damage of vehicle {k}"), format!("offset_{k}"))
+                .is(offset, "m", "input"),
         ];
         // From the first station to the centroid, and from the face to it, zone by zone: each counts by its
         // energy. Without energy there is no crush.
@@ -117,34 +97,28 @@ impl Collision<'_> {
         let width = moments.width;
         if has_energy {
             let whole = format!("({})", energies.join(" + "));
-            steps.push(step(
-                format!("centroid of the damage of vehicle {k}, from its first station"),
-                format!("s_{k}"),
-                "Σ E_j s_j/Σ E_j",
-                format!("({}) / {whole}", alongs.join(" + ")),
-                along,
-                "m",
-                "theory 5",
-            ));
-            steps.push(step(
-                format!("centroid of the damage of vehicle {k}, from the face"),
-                format!("c_{k}"),
-                "Σ E_j c_j/Σ E_j",
-                format!("({}) / {whole}", deeps.join(" + ")),
-                depth,
-                "m",
-                "theory 5",
-            ));
+            steps.push(
+                step(
+                    format!("centroid of the damage of vehicle {k}, from its first station"),
+                    format!("s_{k}"),
+                )
+                .equals("Σ E_j s_j/Σ E_j", format!("({}) / {whole}", alongs.join(" + ")))
+                .is(along, "m", "theory 5"),
+            );
+            steps.push(
+                step(format!("centroid of the damage of vehicle {k}, from the face"), format!("c_{k}"))
+                    .equals("Σ E_j c_j/Σ E_j", format!("({}) / {whole}", deeps.join(" + ")))
+                    .is(depth, "m", "theory 5"),
+            );
         } else {
             let name = "without crush: the middle of the damage of vehicle";
-            steps.push(given(
-                format!("{name} {k}, from its first station"),
-                format!("s_{k}"),
-                along,
-                "m",
-                "theory 5",
-            ));
-            steps.push(given(format!("{name} {k}, from the face"), format!("c_{k}"), depth, "m", "theory 5"));
+            steps.push(
+                step(format!("{name} {k}, from its first station"), format!("s_{k}"))
+                    .is(along, "m", "theory 5"),
+            );
+            steps.push(
+                step(format!("{name} {k}, from the face"), format!("c_{k}")).is(depth, "m", "theory 5"),
+            );
         }
         let out = format!("{} − {}", n(face, "m"), n(depth, "m"));
         let from_middle = format!("({} − {} / 2)", n(along, "m"), n(width, "m"));
@@ -171,7 +145,7 @@ impl Collision<'_> {
         };
         let point = |axis: &str, name: &str, (formula, substitution): (String, String), value: f64| {
             let name = format!("contact point {name} of CG {k}, at the centroid of the damage");
-            step(name, format!("{axis}_{k}"), formula, substitution, value, "m", "theory 5")
+            step(name, format!("{axis}_{k}")).equals(formula, substitution).is(value, "m", "theory 5")
         };
         steps.push(point("x", "forward", x, forward));
         steps.push(point("y", axes::side_of_y(self.case.axes), y, aside));
@@ -184,24 +158,18 @@ impl Collision<'_> {
         let (x, y) = (n(forward, "m"), n(aside, "m"));
         let turn = format!("({}\u{a0}° − {})", digits(heading(self.case, k).to_degrees()), angle(self.gamma));
         [
-            step(
-                format!("arm of vehicle {k} along n"),
-                format!("r_{k}n"),
-                format!("x_{k} cos(θ_{k} − Γ) − y_{k} sin(θ_{k} − Γ)"),
-                format!("{x} · cos{turn} − {y} · sin{turn}"),
-                arm.normal,
-                "m",
-                "Eq 2",
-            ),
-            step(
-                format!("arm of vehicle {k} along t"),
-                format!("r_{k}t"),
-                format!("x_{k} sin(θ_{k} − Γ) + y_{k} cos(θ_{k} − Γ)"),
-                format!("{x} · sin{turn} + {y} · cos{turn}"),
-                arm.tangential,
-                "m",
-                "Eq 2",
-            ),
+            step(format!("arm of vehicle {k} along n"), format!("r_{k}n"))
+                .equals(
+                    format!("x_{k} cos(θ_{k} − Γ) − y_{k} sin(θ_{k} − Γ)"),
+                    format!("{x} · cos{turn} − {y} · sin{turn}"),
+                )
+                .is(arm.normal, "m", "Eq 2"),
+            step(format!("arm of vehicle {k} along t"), format!("r_{k}t"))
+                .equals(
+                    format!("x_{k} sin(θ_{k} − Γ) + y_{k} cos(θ_{k} − Γ)"),
+                    format!("{x} · sin{turn} + {y} · cos{turn}"),
+                )
+                .is(arm.tangential, "m", "Eq 2"),
         ]
     }
 
@@ -214,18 +182,17 @@ impl Collision<'_> {
         let mut steps: Vec<Step> = entries
             .into_iter()
             .map(|(symbol, (formula, substitution), value, unit)| {
-                step("inverse mass at C", symbol, formula, substitution, value, unit, "theory 2")
+                step("inverse mass at C", symbol).equals(formula, substitution).is(value, unit, "theory 2")
             })
             .collect();
-        steps.push(step(
-            "determinant of K",
-            "det K",
-            "k_nn k_tt − k_nt²",
-            format!("{} · {} − {}²", n(k.nn, "1/kg"), n(k.tt, "1/kg"), p(k.nt, "1/kg")),
-            k.determinant(),
-            "1/kg²",
-            "theory 2",
-        ));
+        steps.push(
+            step("determinant of K", "det K")
+                .equals(
+                    "k_nn k_tt − k_nt²",
+                    format!("{} · {} − {}²", n(k.nn, "1/kg"), n(k.tt, "1/kg"), p(k.nt, "1/kg")),
+                )
+                .is(k.determinant(), "1/kg²", "theory 2"),
+        );
         steps
     }
 

@@ -2,7 +2,7 @@
 
 use pim_core::{Regime, Tangential};
 
-use super::super::{Step, angle, given, n, p, step};
+use super::super::{Step, angle, n, p, step};
 use super::Collision;
 
 /// P_n and P_t, each in symbols and in numbers.
@@ -12,30 +12,27 @@ impl Collision<'_> {
     /// e: a number of the file, or between two points of its curve.
     fn restitution(&self) -> Step {
         let e = self.impact.law.restitution();
-        let plain = |name: &str| given(name, "e", e, "", "input");
+        let plain = |name: &str| step(name, "e").is(e, "", "input");
         let Some(curve) = self.impact.given_law.curve() else { return plain("coefficient of restitution") };
         let normal = self.impact.outcome.approach.normal;
         let [Some((slow, e_slow)), Some((fast, e_fast))] = curve.around(-normal) else {
             return plain("coefficient of restitution, at the nearer end of its curve");
         };
-        step(
-            "coefficient of restitution, between two points (a, b) of its curve",
-            "e",
-            "e_a + (e_b − e_a) (−u_n − v_a)/(v_b − v_a)",
-            format!(
-                "{} + ({} − {}) · (−{} − {}) / ({} − {})",
-                n(e_slow, ""),
-                n(e_fast, ""),
-                n(e_slow, ""),
-                p(normal, "m/s"),
-                n(slow, "m/s"),
-                n(fast, "m/s"),
-                n(slow, "m/s")
-            ),
-            e,
-            "",
-            "theory 3",
-        )
+        step("coefficient of restitution, between two points (a, b) of its curve", "e")
+            .equals(
+                "e_a + (e_b − e_a) (−u_n − v_a)/(v_b − v_a)",
+                format!(
+                    "{} + ({} − {}) · (−{} − {}) / ({} − {})",
+                    n(e_slow, ""),
+                    n(e_fast, ""),
+                    n(e_slow, ""),
+                    p(normal, "m/s"),
+                    n(slow, "m/s"),
+                    n(fast, "m/s"),
+                    n(slow, "m/s")
+                ),
+            )
+            .is(e, "", "theory 3")
     }
 
     pub(super) fn impulse(&self) -> Vec<Step> {
@@ -78,7 +75,7 @@ impl Collision<'_> {
     fn with_moment(&self) -> [Step; 3] {
         let outcome = &self.impact.outcome;
         let solved = |name: &str, symbol: &str, value: f64, unit: &'static str| {
-            given(name, symbol, value, unit, "theory 3")
+            step(name, symbol).is(value, unit, "theory 3")
         };
         [
             solved(
@@ -96,23 +93,22 @@ impl Collision<'_> {
         let (e, k, u) =
             (self.impact.law.restitution(), self.impact.contact.inverse_mass(), self.impact.outcome.approach);
         let critical = self.impact.outcome.critical_impulse_ratio?;
-        Some(step(
-            "critical impulse ratio, which ends the sliding",
-            "μ_c",
-            "[(1 + e) u_n k_nt − u_t k_nn]/[u_t k_nt − (1 + e) u_n k_tt]",
-            format!(
-                "((1 + {0}) · {1} · {2} − {3} · {4}) / ({3} · {2} − (1 + {0}) · {1} · {5})",
-                n(e, ""),
-                n(u.normal, "m/s"),
-                n(k.nt, "1/kg"),
-                n(u.tangential, "m/s"),
-                n(k.nn, "1/kg"),
-                n(k.tt, "1/kg")
-            ),
-            critical,
-            "",
-            "theory 3",
-        ))
+        Some(
+            step("critical impulse ratio, which ends the sliding", "μ_c")
+                .equals(
+                    "[(1 + e) u_n k_nt − u_t k_nn]/[u_t k_nt − (1 + e) u_n k_tt]",
+                    format!(
+                        "((1 + {0}) · {1} · {2} − {3} · {4}) / ({3} · {2} − (1 + {0}) · {1} · {5})",
+                        n(e, ""),
+                        n(u.normal, "m/s"),
+                        n(k.nt, "1/kg"),
+                        n(u.tangential, "m/s"),
+                        n(k.nn, "1/kg"),
+                        n(k.tt, "1/kg")
+                    ),
+                )
+                .is(critical, "", "theory 3"),
+        )
     }
 
     /// P_n and P_t from the conditions of the law.
@@ -121,7 +117,7 @@ impl Collision<'_> {
         [("normal", "P_n", normal, impulse.normal), ("tangential", "P_t", along, impulse.tangential)].map(
             |(axis, symbol, (formula, numbers), value)| {
                 let name = format!("{axis} impulse on vehicle 1");
-                step(name, symbol, formula, numbers, value, "N·s", "theory 3")
+                step(name, symbol).equals(formula, numbers).is(value, "N·s", "theory 3")
             },
         )
     }
@@ -194,21 +190,15 @@ impl Collision<'_> {
         };
         let name =
             if sliding { "impulse ratio: the friction limit, against the sliding" } else { "impulse ratio" };
-        step(name, "μ", formula, numbers, outcome.impulse_ratio, "", "theory 3")
+        step(name, "μ").equals(formula, numbers).is(outcome.impulse_ratio, "", "theory 3")
     }
 
     fn ratio(&self) -> Step {
         let outcome = &self.impact.outcome;
         let p_ = outcome.impulse;
-        step(
-            "impulse ratio",
-            "μ",
-            "P_t/P_n",
-            format!("{} / {}", n(p_.tangential, "N·s"), n(p_.normal, "N·s")),
-            outcome.impulse_ratio,
-            "",
-            "theory 3",
-        )
+        step("impulse ratio", "μ")
+            .equals("P_t/P_n", format!("{} / {}", n(p_.tangential, "N·s"), n(p_.normal, "N·s")))
+            .is(outcome.impulse_ratio, "", "theory 3")
     }
 
     fn separation(&self) -> Vec<Step> {
@@ -231,22 +221,19 @@ impl Collision<'_> {
                    names: [&str; 2],
                    (formula, numbers): (String, String),
                    value: f64| {
-            step(
-                format!("relative velocity at C along {axis}, after"),
-                format!("U_{axis}"),
-                format!("u_{axis} + {} P_n + {} P_t{formula}", names[0], names[1]),
-                format!(
-                    "{} + {} · {} + {} · {}{numbers}",
-                    n(before, "m/s"),
-                    n(along_n, "1/kg"),
-                    n(p_.normal, "N·s"),
-                    n(along_t, "1/kg"),
-                    n(p_.tangential, "N·s")
-                ),
-                value,
-                "m/s",
-                "theory 2",
-            )
+            step(format!("relative velocity at C along {axis}, after"), format!("U_{axis}"))
+                .equals(
+                    format!("u_{axis} + {} P_n + {} P_t{formula}", names[0], names[1]),
+                    format!(
+                        "{} + {} · {} + {} · {}{numbers}",
+                        n(before, "m/s"),
+                        n(along_n, "1/kg"),
+                        n(p_.normal, "N·s"),
+                        n(along_t, "1/kg"),
+                        n(p_.tangential, "N·s")
+                    ),
+                )
+                .is(value, "m/s", "theory 2")
         };
         vec![
             row("n", u.normal, [k.nn, k.nt], ["k_nn", "k_nt"], moment(k.nm, "k_nm"), after.normal),
@@ -258,20 +245,17 @@ impl Collision<'_> {
         let (outcome, gamma) = (&self.impact.outcome, self.gamma);
         let (p_, vector) = (outcome.impulse, outcome.impulse_vector);
         let row = |axis: &str, sign: char, [of_normal, of_tangential]: [&str; 2], value: f64| {
-            step(
-                format!("impulse on vehicle 1 along {axis}"),
-                format!("P_{axis}"),
-                format!("P_n {of_normal} Γ {sign} P_t {of_tangential} Γ"),
-                format!(
-                    "{} · {of_normal}{2} {sign} {} · {of_tangential}{2}",
-                    n(p_.normal, "N·s"),
-                    n(p_.tangential, "N·s"),
-                    angle(gamma)
-                ),
-                value,
-                "N·s",
-                "theory 1",
-            )
+            step(format!("impulse on vehicle 1 along {axis}"), format!("P_{axis}"))
+                .equals(
+                    format!("P_n {of_normal} Γ {sign} P_t {of_tangential} Γ"),
+                    format!(
+                        "{} · {of_normal}{2} {sign} {} · {of_tangential}{2}",
+                        n(p_.normal, "N·s"),
+                        n(p_.tangential, "N·s"),
+                        angle(gamma)
+                    ),
+                )
+                .is(value, "N·s", "theory 1")
         };
         vec![row("x", '−', ["cos", "sin"], vector.x), row("y", '+', ["sin", "cos"], vector.y)]
     }

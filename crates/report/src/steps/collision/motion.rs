@@ -3,7 +3,7 @@
 use case::{Axes, Velocity};
 use pim_core::{Contact, Motion, VehicleId};
 
-use super::super::{Step, angle, course, given, heading, n, p, step};
+use super::super::{Step, angle, course, heading, n, p, step};
 use super::Collision;
 
 impl Collision<'_> {
@@ -14,7 +14,7 @@ impl Collision<'_> {
         for (axis, value) in [("n", u.normal), ("t", u.tangential)] {
             let (formula, numbers) = self.relative(axis, &outcome.before);
             let name = format!("relative velocity at C along {axis}");
-            steps.push(step(name, format!("u_{axis}"), formula, numbers, value, "m/s", "theory 1"));
+            steps.push(step(name, format!("u_{axis}")).equals(formula, numbers).is(value, "m/s", "theory 1"));
         }
         steps
     }
@@ -35,21 +35,18 @@ impl Collision<'_> {
         for (axis, function, value) in [("x", "cos", before.velocity.x), ("y", "sin", before.velocity.y)] {
             let (name, symbol) = (format!("velocity of vehicle {k} along {axis}"), format!("v_{k}{axis}"));
             steps.push(match speed {
-                Some(s) => step(
-                    name,
-                    symbol,
-                    format!("s_{k} {function} {symbol_of_course}"),
-                    format!("{} · {function}{theta}", n(s, "m/s")),
-                    value,
-                    "m/s",
-                    "theory 1",
-                ),
-                None => given(name, symbol, value, "m/s", "input"),
+                Some(s) => step(name, symbol)
+                    .equals(
+                        format!("s_{k} {function} {symbol_of_course}"),
+                        format!("{} · {function}{theta}", n(s, "m/s")),
+                    )
+                    .is(value, "m/s", "theory 1"),
+                None => step(name, symbol).is(value, "m/s", "input"),
             });
         }
         if before.yaw_rate != 0.0 {
             let name = format!("yaw rate of vehicle {k}");
-            steps.push(given(name, format!("ω_{k}"), before.yaw_rate, "rad/s", "input"));
+            steps.push(step(name, format!("ω_{k}")).is(before.yaw_rate, "rad/s", "input"));
         }
         steps
     }
@@ -66,15 +63,14 @@ impl Collision<'_> {
         let mut steps = self.velocity_after(k, mass).to_vec();
         steps.push(self.yaw_rate_after(k, inertia));
         let vector = self.impact.outcome.impulse_vector;
-        steps.push(step(
-            format!("velocity change of vehicle {k}"),
-            format!("ΔV_{k}"),
-            format!("√(P_x² + P_y²)/m_{k}"),
-            format!("√({}² + {}²) / {}", p(vector.x, "N·s"), p(vector.y, "N·s"), n(mass, "kg")),
-            self.impact.outcome.delta_v_magnitude()[k.index()],
-            "m/s",
-            "theory 2",
-        ));
+        steps.push(
+            step(format!("velocity change of vehicle {k}"), format!("ΔV_{k}"))
+                .equals(
+                    format!("√(P_x² + P_y²)/m_{k}"),
+                    format!("√({}² + {}²) / {}", p(vector.x, "N·s"), p(vector.y, "N·s"), n(mass, "kg")),
+                )
+                .is(self.impact.outcome.delta_v_magnitude()[k.index()], "m/s", "theory 2"),
+        );
         steps.push(self.pdof(k));
         steps
     }
@@ -93,15 +89,12 @@ impl Collision<'_> {
             (outcome.before[i].velocity, outcome.after[i].velocity, outcome.impulse_vector);
         [("x", before.x, impulse.x, after.x), ("y", before.y, impulse.y, after.y)].map(
             |(axis, v, impulse, value)| {
-                step(
-                    format!("velocity of vehicle {k} along {axis}, after"),
-                    format!("V_{k}{axis}"),
-                    format!("v_{k}{axis} {sign} P_{axis}/m_{k}"),
-                    format!("{} {sign} {} / {}", n(v, "m/s"), n(impulse, "N·s"), n(mass, "kg")),
-                    value,
-                    "m/s",
-                    "theory 2",
-                )
+                step(format!("velocity of vehicle {k} along {axis}, after"), format!("V_{k}{axis}"))
+                    .equals(
+                        format!("v_{k}{axis} {sign} P_{axis}/m_{k}"),
+                        format!("{} {sign} {} / {}", n(v, "m/s"), n(impulse, "N·s"), n(mass, "kg")),
+                    )
+                    .is(value, "m/s", "theory 2")
             },
         )
     }
@@ -114,23 +107,20 @@ impl Collision<'_> {
         } else {
             (" + M", format!(" + {}", n(outcome.moment_impulse, "N·m·s")))
         };
-        step(
-            format!("yaw rate of vehicle {k}, after"),
-            format!("Ω_{k}"),
-            format!("ω_{k} {sign} (r_{k}n P_t − r_{k}t P_n{moment})/I_{k}"),
-            format!(
-                "{} {sign} ({} · {} − {} · {}{moment_number}) / {}",
-                n(outcome.before[i].yaw_rate, "rad/s"),
-                n(arm.normal, "m"),
-                n(impulse.tangential, "N·s"),
-                n(arm.tangential, "m"),
-                n(impulse.normal, "N·s"),
-                n(inertia, "kg·m²")
-            ),
-            outcome.after[i].yaw_rate,
-            "rad/s",
-            "theory 2",
-        )
+        step(format!("yaw rate of vehicle {k}, after"), format!("Ω_{k}"))
+            .equals(
+                format!("ω_{k} {sign} (r_{k}n P_t − r_{k}t P_n{moment})/I_{k}"),
+                format!(
+                    "{} {sign} ({} · {} − {} · {}{moment_number}) / {}",
+                    n(outcome.before[i].yaw_rate, "rad/s"),
+                    n(arm.normal, "m"),
+                    n(impulse.tangential, "N·s"),
+                    n(arm.tangential, "m"),
+                    n(impulse.normal, "N·s"),
+                    n(inertia, "kg·m²")
+                ),
+            )
+            .is(outcome.after[i].yaw_rate, "rad/s", "theory 2")
     }
 
     fn pdof(&self, k: VehicleId) -> Step {
@@ -151,12 +141,9 @@ impl Collision<'_> {
         step(
             format!("principal direction of force on vehicle {k}, clockwise from its heading"),
             format!("PDOF_{k}"),
-            format!("atan2({left}, {behind})"),
-            format!("atan2({left_numbers}, {behind_numbers})"),
-            self.impact.pdof[k.index()].to_degrees(),
-            "°",
-            "theory 4",
         )
+        .equals(format!("atan2({left}, {behind})"), format!("atan2({left_numbers}, {behind_numbers})"))
+        .is(self.impact.pdof[k.index()].to_degrees(), "°", "theory 4")
     }
 }
 

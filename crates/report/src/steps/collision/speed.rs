@@ -67,15 +67,8 @@ impl Collision<'_> {
 
     fn solved(&self, found: &Found, formula: &str, substitution: String) -> Step {
         let k = found.unknown;
-        step(
-            format!("speed of vehicle {k}, found"),
-            format!("s_{k}"),
-            formula,
-            substitution,
-            found.speed,
-            "m/s",
-            "theory 6",
-        )
+        let speed = step(format!("speed of vehicle {k}, found"), format!("s_{k}"));
+        speed.equals(formula, substitution).is(found.speed, "m/s", "theory 6")
     }
 
     /// The law from which the closed form was solved.
@@ -185,15 +178,9 @@ impl Collision<'_> {
             } else {
                 format!("(−1) · {function}{turn}")
             };
-            step(
-                format!("du_{axis}/ds"),
-                format!("c_{axis}"),
-                format!("{minus}{function}(θ_{k} − Γ)"),
-                numbers,
-                value,
-                "",
-                "theory 6",
-            )
+            step(format!("du_{axis}/ds"), format!("c_{axis}"))
+                .equals(format!("{minus}{function}(θ_{k} − Γ)"), numbers)
+                .is(value, "", "theory 6")
         })
     }
 
@@ -204,7 +191,7 @@ impl Collision<'_> {
         motions[k.index()].velocity = Vector2::new(0.0, 0.0);
         let (formula, numbers) = self.relative(axis, &motions);
         let name = format!("u_{axis} with vehicle {k} at rest");
-        step(name, symbol, formula, numbers, value, "m/s", "theory 1")
+        step(name, symbol).equals(formula, numbers).is(value, "m/s", "theory 1")
     }
 
     /// How u_t depends on the approach speed.
@@ -212,25 +199,21 @@ impl Collision<'_> {
         let line = &found.line;
         let (at_rest, slope, tau) = (line.at_rest, line.slope, line.tangential_slope());
         [
-            step(
-                "du_t/dx over the approach speed x = −u_n",
-                "τ",
-                "−c_t/c_n",
-                format!("−{} / {}", p(slope.tangential, ""), n(slope.normal, "")),
-                tau,
-                "",
-                "theory 6",
-            ),
+            step("du_t/dx over the approach speed x = −u_n", "τ")
+                .equals("−c_t/c_n", format!("−{} / {}", p(slope.tangential, ""), n(slope.normal, "")))
+                .is(tau, "", "theory 6"),
             self.at_rest(found, "t", "u_t,rest", at_rest.tangential),
-            step(
-                "u_t where the vehicles just touch, x = 0",
-                "u_t0",
-                "u_t,rest + u_n0 τ",
-                format!("{} + {} · {}", n(at_rest.tangential, "m/s"), n(at_rest.normal, "m/s"), n(tau, "")),
-                line.tangential_at_zero_approach(),
-                "m/s",
-                "theory 6",
-            ),
+            step("u_t where the vehicles just touch, x = 0", "u_t0")
+                .equals(
+                    "u_t,rest + u_n0 τ",
+                    format!(
+                        "{} + {} · {}",
+                        n(at_rest.tangential, "m/s"),
+                        n(at_rest.normal, "m/s"),
+                        n(tau, "")
+                    ),
+                )
+                .is(line.tangential_at_zero_approach(), "m/s", "theory 6"),
         ]
     }
 
@@ -241,15 +224,11 @@ impl Collision<'_> {
         let mut steps = vec![coefficient(name, "α", push.alpha, alpha, "kg")];
         steps.extend(push.beta.map(|written| coefficient(name, "β", written, beta, "N·s")));
         let e = self.impact.law.restitution();
-        steps.push(step(
-            "W_n = ½ (1 − e) x P_n, so α x² + β x = c",
-            "c",
-            "2 W_n/(1 − e)",
-            format!("2 · {} / (1 − {})", n(found.normal_work, "J"), n(e, "")),
-            c,
-            "J",
-            "theory 6",
-        ));
+        steps.push(
+            step("W_n = ½ (1 − e) x P_n, so α x² + β x = c", "c")
+                .equals("2 W_n/(1 − e)", format!("2 · {} / (1 − {})", n(found.normal_work, "J"), n(e, "")))
+                .is(c, "J", "theory 6"),
+        );
         steps
     }
 
@@ -303,15 +282,12 @@ impl Collision<'_> {
     fn approach_speed(&self, quadratic: &Quadratic) -> Step {
         let Quadratic { alpha, beta, c } = *quadratic;
         let (beta, alpha, c) = (p(beta, "N·s"), n(alpha, "kg"), n(c, "J"));
-        step(
-            "approach speed",
-            "x",
-            "[−β + √(β² + 4 α c)]/(2 α)",
-            format!("(−{beta} + √({beta}² + 4 · {alpha} · {c})) / (2 · {alpha})"),
-            -self.impact.outcome.approach.normal,
-            "m/s",
-            "theory 6",
-        )
+        step("approach speed", "x")
+            .equals(
+                "[−β + √(β² + 4 α c)]/(2 α)",
+                format!("(−{beta} + √({beta}² + 4 · {alpha} · {c})) / (2 · {alpha})"),
+            )
+            .is(-self.impact.outcome.approach.normal, "m/s", "theory 6")
     }
 }
 
@@ -322,7 +298,7 @@ fn coefficient(
     value: f64,
     unit: &'static str,
 ) -> Step {
-    step(name, symbol, formula, numbers, value, unit, "theory 6")
+    step(name, symbol).equals(formula, numbers).is(value, unit, "theory 6")
 }
 
 /// The impulse and the sliding over the approach speed.

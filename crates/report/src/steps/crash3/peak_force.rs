@@ -16,16 +16,10 @@ pub(super) fn steps(
 ) -> Vec<Step> {
     let alpha = angle(alpha);
     let total = |formula: String, substitution: String| {
-        step(
-            format!("peak force, vehicle {i}"),
-            format!("F_{i}"),
-            formula,
-            substitution,
-            peak,
-            "N",
-            "theory 5",
-        )
-        .of(Measure::Force)
+        step(format!("peak force, vehicle {i}"), format!("F_{i}"))
+            .equals(formula, substitution)
+            .is(peak, "N", "theory 5")
+            .of(Measure::Force)
     };
     let mut zones: Vec<(Zone, Stiffness)> = Vec::new();
     match structure {
@@ -55,16 +49,10 @@ pub(super) fn steps(
 /// Square to the side: the sum is divided by cos α.
 fn of_zone(zone: Zone, stiffness: &Stiffness, i: VehicleId, j: usize) -> Step {
     let (formula, per_width) = force_per_width(zone, stiffness);
-    step(
-        format!("peak force square to the side, vehicle {i}, zone {j}"),
-        format!("F_{i},{j}"),
-        formula,
-        format!("{} · ({per_width})", n(zone.width, "m")),
-        zone_force(zone, stiffness),
-        "N",
-        "theory 5",
-    )
-    .of(Measure::Force)
+    step(format!("peak force square to the side, vehicle {i}, zone {j}"), format!("F_{i},{j}"))
+        .equals(formula, format!("{} · ({per_width})", n(zone.width, "m")))
+        .is(zone_force(zone, stiffness), "N", "theory 5")
+        .of(Measure::Force)
 }
 
 /// The force of a zone in symbols, and its mean per width in numbers.

@@ -6,7 +6,7 @@ use crash3::EnergyBasis;
 use pim_core::VehicleId;
 
 use super::super::damage::total;
-use super::super::{Step, angle, given, n, p, step};
+use super::super::{Step, angle, n, p, step};
 use super::pdof_symbol;
 
 /// A vehicle that can move.
@@ -59,16 +59,13 @@ fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Ste
     let name = format!("distance of the line of action from CG {k}");
     let point = vehicle.subject.contact.or(damage.and_then(|damage| damage.centroid));
     match (given_arm, point, vehicle.crash3_pdof()) {
-        (None, Some([x, y]), Some(pdof)) => step(
-            name,
-            format!("h_{k}"),
-            format!("|x_{k} sin {direction} {left} y_{k} cos {direction}|"),
-            format!("abs({} · sin{2} {left} {1} · cos{2})", n(x, "m"), n(y, "m"), angle(pdof)),
-            arm,
-            "m",
-            "theory 5",
-        ),
-        _ => given(name, format!("h_{k}"), arm, "m", "input"),
+        (None, Some([x, y]), Some(pdof)) => step(name, format!("h_{k}"))
+            .equals(
+                format!("|x_{k} sin {direction} {left} y_{k} cos {direction}|"),
+                format!("abs({} · sin{2} {left} {1} · cos{2})", n(x, "m"), n(y, "m"), angle(pdof)),
+            )
+            .is(arm, "m", "theory 5"),
+        _ => step(name, format!("h_{k}")).is(arm, "m", "input"),
     }
 }
 
@@ -76,24 +73,15 @@ fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Ste
 fn effective_mass(crash3: &Crash3, Movable { id: k, mass, yaw_inertia }: Movable) -> [Step; 2] {
     let square = crash3.square_radius[k.index()];
     [
-        step(
-            format!("square of the radius of gyration, vehicle {k}"),
-            format!("k_{k}²"),
-            format!("I_{k}/m_{k}"),
-            format!("{} / {}", n(yaw_inertia, "kg·m²"), n(mass, "kg")),
-            square,
-            "m²",
-            "theory 5",
-        ),
-        step(
-            format!("effective mass ratio, vehicle {k}"),
-            format!("γ_{k}"),
-            format!("k_{k}²/(k_{k}² + h_{k}²)"),
-            format!("{0} / ({0} + {1}²)", n(square, "m²"), p(crash3.moment_arm[k.index()], "m")),
-            crash3.effective_mass_ratio[k.index()],
-            "",
-            "theory 5",
-        ),
+        step(format!("square of the radius of gyration, vehicle {k}"), format!("k_{k}²"))
+            .equals(format!("I_{k}/m_{k}"), format!("{} / {}", n(yaw_inertia, "kg·m²"), n(mass, "kg")))
+            .is(square, "m²", "theory 5"),
+        step(format!("effective mass ratio, vehicle {k}"), format!("γ_{k}"))
+            .equals(
+                format!("k_{k}²/(k_{k}² + h_{k}²)"),
+                format!("{0} / ({0} + {1}²)", n(square, "m²"), p(crash3.moment_arm[k.index()], "m")),
+            )
+            .is(crash3.effective_mass_ratio[k.index()], "", "theory 5"),
     ]
 }
 
@@ -122,15 +110,12 @@ fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
         .unzip();
     let (formula, numbers) = (formula.join(" + "), numbers.join(" + "));
     let of_vehicle = |&Movable { id: k, mass, .. }: &Movable| {
-        step(
-            format!("velocity change of vehicle {k}, {name}"),
-            format!("{symbol}{k}"),
-            format!("√(2 E{prime}/[{formula}])/m_{k}"),
-            format!("√(2 · {} / ({numbers})) / {}", n(energy, "J"), n(mass, "kg")),
-            delta_v[k.index()],
-            "m/s",
-            "Eq 6, 7",
-        )
+        step(format!("velocity change of vehicle {k}, {name}"), format!("{symbol}{k}"))
+            .equals(
+                format!("√(2 E{prime}/[{formula}])/m_{k}"),
+                format!("√(2 · {} / ({numbers})) / {}", n(energy, "J"), n(mass, "kg")),
+            )
+            .is(delta_v[k.index()], "m/s", "Eq 6, 7")
     };
     vehicles.iter().map(of_vehicle).collect()
 }
@@ -143,18 +128,13 @@ fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delt
         EnergyBasis::Dissipated => ("√((1 + e)/(1 − e))", format!("√((1 + {e}) / (1 − {e}))")),
         EnergyBasis::Absorbed => ("1 + e", format!("1 + {e}")),
     };
-    let mut steps = vec![step("factor for restitution", "f_e", formula, numbers, factor, "", "theory 5")];
+    let mut steps =
+        vec![step("factor for restitution", "f_e").equals(formula, numbers).is(factor, "", "theory 5")];
     steps.extend(vehicles.iter().map(|&Movable { id: k, .. }| {
         let change = delta_v[k.index()];
-        step(
-            format!("velocity change of vehicle {k}, corrected, with restitution"),
-            format!("ΔV''_{k}"),
-            format!("ΔV'_{k} f_e"),
-            format!("{} · {}", n(change, "m/s"), n(factor, "")),
-            change * factor,
-            "m/s",
-            "theory 5",
-        )
+        step(format!("velocity change of vehicle {k}, corrected, with restitution"), format!("ΔV''_{k}"))
+            .equals(format!("ΔV'_{k} f_e"), format!("{} · {}", n(change, "m/s"), n(factor, "")))
+            .is(change * factor, "m/s", "theory 5")
     }));
     steps
 }

@@ -12,31 +12,33 @@ pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: VehicleId) -> Ve
     let sums = fitted.profile().sums();
     let depths = fitted.profile().depths();
     let mut steps = vec![inertia::mass(&test.mass, of_test("mass", i), &format!("T,{i}"))];
-    let mean_crush = step(
-        of_test("mean crush", i),
-        format!("C_T,{i}"),
-        "Σ ((C_j + C_j+1)/2)/n",
-        mean(depths, |c1, c2| format!("({} + {}) / 2", n(c1, "m"), n(c2, "m"))),
-        sums.mean_depth(),
-        "m",
-        "theory 5",
-    );
+    let mean_crush = step(of_test("mean crush", i), format!("C_T,{i}"))
+        .equals(
+            "Σ ((C_j + C_j+1)/2)/n",
+            mean(depths, |c1, c2| format!("({} + {}) / 2", n(c1, "m"), n(c2, "m"))),
+        )
+        .is(sums.mean_depth(), "m", "theory 5");
     steps.push(mean_crush.of(Measure::Crush));
     let (v, b0) = (test.speed.si(), test.no_damage_speed.si());
     let slope = match test.fit {
         Fit::Exact => {
             let square = sums.mean_square_depth();
-            steps.push(step(
-                of_test("mean square of the crush", i),
-                format!("Q_T,{i}"),
-                "Σ ((C_j² + C_j C_j+1 + C_j+1²)/3)/n",
-                mean(depths, |c1, c2| {
-                    format!("({}² + {} · {} + {}²) / 3", p(c1, "m"), n(c1, "m"), n(c2, "m"), p(c2, "m"))
-                }),
-                square,
-                "m²",
-                "theory 5",
-            ));
+            steps.push(
+                step(of_test("mean square of the crush", i), format!("Q_T,{i}"))
+                    .equals(
+                        "Σ ((C_j² + C_j C_j+1 + C_j+1²)/3)/n",
+                        mean(depths, |c1, c2| {
+                            format!(
+                                "({}² + {} · {} + {}²) / 3",
+                                p(c1, "m"),
+                                n(c1, "m"),
+                                n(c2, "m"),
+                                p(c2, "m")
+                            )
+                        }),
+                    )
+                    .is(square, "m²", "theory 5"),
+            );
             let (formula, numbers) = exact([v, b0], sums.mean_depth(), square, i);
             Slope { formula, numbers, value: fitted.slope() }
         }
@@ -48,7 +50,7 @@ pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: VehicleId) -> Ve
     };
     let b1 = slope.value;
     let name = of_test("slope of the speed over the crush", i);
-    steps.push(step(name, format!("b_T,{i}"), slope.formula, slope.numbers, b1, "1/s", "theory 5"));
+    steps.push(step(name, format!("b_T,{i}")).equals(slope.formula, slope.numbers).is(b1, "1/s", "theory 5"));
     steps.extend(coefficients(stiffness, test, b1, i));
     steps
 }
@@ -114,6 +116,6 @@ fn coefficients(stiffness: &Stiffness, test: &GivenTest, b1: f64, i: VehicleId) 
     ]
     .map(|(what, formula, numbers, value, unit)| {
         let name = format!("stiffness {what} of vehicle {i}, from the barrier test");
-        step(name, format!("{what}_{i}"), formula, numbers, value, unit, "theory 5")
+        step(name, format!("{what}_{i}")).equals(formula, numbers).is(value, unit, "theory 5")
     })
 }

@@ -13,47 +13,35 @@ pub(super) fn moments(profile: &Profile, i: VehicleId) -> [Step; 2] {
     };
     let square = |Zone { width, depths }: Zone| format!("{} · ({}) / 6", n(width, "m"), squares(depths));
     [
-        step(
-            format!("area of the crush of vehicle {i}"),
-            format!("S_1,{i}"),
-            "Σ w_j (C_j + C_j+1)/2",
-            profile.zones().map(area).collect::<Vec<_>>().join(" + "),
-            sums.area,
-            "m²",
-            "Eq 5",
-        ),
-        step(
-            format!("second moment of the crush of vehicle {i}"),
-            format!("S_2,{i}"),
-            "Σ w_j (C_j² + C_j C_j+1 + C_j+1²)/6",
-            profile.zones().map(square).collect::<Vec<_>>().join(" + "),
-            sums.second_moment,
-            "m³",
-            "Eq 5",
-        ),
+        step(format!("area of the crush of vehicle {i}"), format!("S_1,{i}"))
+            .equals("Σ w_j (C_j + C_j+1)/2", profile.zones().map(area).collect::<Vec<_>>().join(" + "))
+            .is(sums.area, "m²", "Eq 5"),
+        step(format!("second moment of the crush of vehicle {i}"), format!("S_2,{i}"))
+            .equals(
+                "Σ w_j (C_j² + C_j C_j+1 + C_j+1²)/6",
+                profile.zones().map(square).collect::<Vec<_>>().join(" + "),
+            )
+            .is(sums.second_moment, "m³", "Eq 5"),
     ]
 }
 
 /// With one stiffness along the side and no saturation: from the moments of the profile.
 pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: VehicleId) -> [Step; 1] {
     let sums = profile.sums();
-    [step(
-        format!("crush energy of vehicle {i}"),
-        format!("E_{i}"),
-        format!("A_{i} S_1,{i} + B_{i} S_2,{i} + G_{i} L_{i}"),
-        format!(
-            "{} · {} + {} · {} + {} · {}",
-            n(stiffness.a(), "N/m"),
-            n(sums.area, "m²"),
-            n(stiffness.b(), "N/m²"),
-            n(sums.second_moment, "m³"),
-            n(stiffness.g(), "N"),
-            n(sums.width, "m")
-        ),
-        energy,
-        "J",
-        "Eq 5",
-    )]
+    [step(format!("crush energy of vehicle {i}"), format!("E_{i}"))
+        .equals(
+            format!("A_{i} S_1,{i} + B_{i} S_2,{i} + G_{i} L_{i}"),
+            format!(
+                "{} · {} + {} · {} + {} · {}",
+                n(stiffness.a(), "N/m"),
+                n(sums.area, "m²"),
+                n(stiffness.b(), "N/m²"),
+                n(sums.second_moment, "m³"),
+                n(stiffness.g(), "N"),
+                n(sums.width, "m")
+            ),
+        )
+        .is(energy, "J", "Eq 5")]
 }
 
 /// C_1² + C_1 C_2 + C_2² in numbers.
@@ -72,25 +60,20 @@ pub(super) fn zone_by_zone(
         let share = zone_energy(zone, &stiffness);
         let (formula, per_width) = energy_per_width(zone, &stiffness);
         terms.push(n(share, "J"));
-        steps.push(step(
-            format!("crush energy of vehicle {i}, zone {j}"),
-            format!("E_{i},{j}"),
-            formula,
-            format!("{} · ({per_width} + {})", n(zone.width, "m"), n(stiffness.g(), "N")),
-            share,
-            "J",
-            "Eq 5",
-        ));
+        steps.push(
+            step(format!("crush energy of vehicle {i}, zone {j}"), format!("E_{i},{j}"))
+                .equals(
+                    formula,
+                    format!("{} · ({per_width} + {})", n(zone.width, "m"), n(stiffness.g(), "N")),
+                )
+                .is(share, "J", "Eq 5"),
+        );
     }
-    steps.push(step(
-        format!("crush energy of vehicle {i}"),
-        format!("E_{i}"),
-        format!("Σ E_{i},j"),
-        terms.join(" + "),
-        energy,
-        "J",
-        "Eq 5",
-    ));
+    steps.push(
+        step(format!("crush energy of vehicle {i}"), format!("E_{i}"))
+            .equals(format!("Σ E_{i},j"), terms.join(" + "))
+            .is(energy, "J", "Eq 5"),
+    );
     steps
 }
 

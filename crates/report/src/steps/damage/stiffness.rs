@@ -4,7 +4,7 @@ use case::{StiffnessForm, StiffnessLine};
 use crash3::{SideStiffness, Stiffness};
 use pim_core::VehicleId;
 
-use super::super::{Step, given, n, p, step};
+use super::super::{Step, n, p, step};
 use super::barrier_test;
 
 pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: VehicleId) -> Vec<Step> {
@@ -33,15 +33,15 @@ pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: VehicleI
 fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) -> Vec<Step> {
     let of = |what: &str| format!("stiffness {what} of {whose}");
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
-    let given_g = || given(of("G"), format!("G_{i}"), g, "N", "input");
+    let given_g = || step(of("G"), format!("G_{i}")).is(g, "N", "input");
     let derived_g = |formula: String, numbers: String| {
-        step(of("G"), format!("G_{i}"), formula, numbers, g, "N", "theory 5")
+        step(of("G"), format!("G_{i}")).equals(formula, numbers).is(g, "N", "theory 5")
     };
     let mut steps = match line {
         StiffnessLine::Root { d0, d1, .. } => of_roots(stiffness, [d0.si(), d1.si()], i, whose).to_vec(),
         StiffnessLine::Crush { .. } => vec![
-            given(of("A"), format!("A_{i}"), a, "N/m", "input"),
-            given(of("B"), format!("B_{i}"), b, "N/m²", "input"),
+            step(of("A"), format!("A_{i}")).is(a, "N/m", "input"),
+            step(of("B"), format!("B_{i}")).is(b, "N/m²", "input"),
         ],
     };
     steps.push(match line {
@@ -54,7 +54,7 @@ fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) ->
         }
     });
     if let Some(limit) = stiffness.saturation_force() {
-        steps.push(given(of("limit"), format!("F_s,{i}"), limit, "N/m", "input"));
+        steps.push(step(of("limit"), format!("F_s,{i}")).is(limit, "N/m", "input"));
     }
     steps
 }
@@ -62,24 +62,12 @@ fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) ->
 /// A and B from d_0 and d_1.
 fn of_roots(stiffness: &Stiffness, [d0, d1]: [f64; 2], i: &str, whose: &str) -> [Step; 2] {
     [
-        step(
-            format!("stiffness A of {whose}"),
-            format!("A_{i}"),
-            "d_0 d_1",
-            format!("{} · {}", n(d0, "√N"), n(d1, "√N/m")),
-            stiffness.a(),
-            "N/m",
-            "theory 5",
-        ),
-        step(
-            format!("stiffness B of {whose}"),
-            format!("B_{i}"),
-            "d_1²",
-            format!("{}²", p(d1, "√N/m")),
-            stiffness.b(),
-            "N/m²",
-            "theory 5",
-        ),
+        step(format!("stiffness A of {whose}"), format!("A_{i}"))
+            .equals("d_0 d_1", format!("{} · {}", n(d0, "√N"), n(d1, "√N/m")))
+            .is(stiffness.a(), "N/m", "theory 5"),
+        step(format!("stiffness B of {whose}"), format!("B_{i}"))
+            .equals("d_1²", format!("{}²", p(d1, "√N/m")))
+            .is(stiffness.b(), "N/m²", "theory 5"),
     ]
 }
 
@@ -88,7 +76,7 @@ fn of_category(stiffness: &Stiffness, category: u8, i: VehicleId) -> Vec<Step> {
     [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
         .map(|(what, value, unit)| {
             let name = format!("stiffness {what} of vehicle {i}, from category {category} of CRASH3's table");
-            given(name, format!("{what}_{i}"), value, unit, "SAE 870045, Table 1")
+            step(name, format!("{what}_{i}")).is(value, unit, "SAE 870045, Table 1")
         })
         .to_vec()
 }
