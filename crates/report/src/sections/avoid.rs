@@ -89,17 +89,6 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             )
         }
     }));
-    let determined = match found.undetermined() {
-        Some(_) => "a speed that the evidence does not determine, taken as ",
-        None => "",
-    };
-    lines.push(format!(
-        "Vehicle {} at the reaction demand: {determined}{}, {} and {} before the impact",
-        found.vehicle,
-        units.speed(scene.speed),
-        units.format(Measure::Way, scene.distance),
-        units.format(Measure::Time, scene.time),
-    ));
     let above = scene.is_above_limit();
     // What the verdicts say holds for one value of each number, where these are uncertain.
     let central = if found.chance.is_some() { ", by the central values" } else { "" };
@@ -115,8 +104,8 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         let lower = if (LOW..HIGH).contains(&chance.above_limit) { &either } else { &at };
         lines.push(format!(
             "Probability that it is avoided {lower}: {}; that the vehicle was faster than {limit}: {}",
-            probability_with_error(chance.avoided_at_limit, chance.mc_error),
-            in_decimals(chance.above_limit),
+            at_a_glance(chance.avoided_at_limit),
+            at_a_glance(chance.above_limit),
         ));
     }
     let way = |si: f64| units.format(Measure::Way, si);
@@ -164,6 +153,22 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         ));
     }
+    lines.push(if found.enough.speed > 0.0 {
+        format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed))
+    } else {
+        format!("No speed avoids it{central}: vehicle {other} would reach even a stationary vehicle")
+    });
+    let determined = match found.undetermined() {
+        Some(_) => "a speed that the evidence does not determine, taken as ",
+        None => "",
+    };
+    lines.push(format!(
+        "Vehicle {} at the reaction demand: {determined}{}, {} and {} before the impact",
+        found.vehicle,
+        units.speed(scene.speed),
+        units.format(Measure::Way, scene.distance),
+        units.format(Measure::Time, scene.time),
+    ));
     if let Some(sight) = scene.view.sight() {
         lines.push(format!(
             "In sight without a break for the last {} and {} before the impact",
@@ -171,18 +176,12 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Way, sight.distance_subject),
         ));
     }
-    lines.push(if found.enough.speed > 0.0 {
-        format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed))
-    } else {
-        format!("No speed avoids it{central}: vehicle {other} would reach even a stationary vehicle")
-    });
     lines
 }
 
-/// A probability, with the Monte Carlo error that three decimals show.
-fn probability_with_error(probability: f64, error: f64) -> String {
-    let between = |error: f64| format!(" ± {}", number(error.max(LEAST_ERROR), 3));
-    in_decimals(probability) + &error_between(probability, error).map_or_else(String::new, between)
+/// A probability in the digits that its inputs bear, if these do not round it to 0 or 1.
+fn at_a_glance(probability: f64) -> String {
+    if (0.005..0.995).contains(&probability) { number(probability, 2) } else { in_decimals(probability) }
 }
 
 /// A probability with three decimals, which would round some to 0 or 1.
@@ -199,8 +198,6 @@ fn error_between(probability: f64, error: f64) -> Option<f64> {
     (LOW..HIGH).contains(&probability).then_some(error)
 }
 
-/// A smaller error of a probability with three decimals is that of its rounding.
-const LEAST_ERROR: f64 = 0.001;
 /// Probabilities that three decimals round to 0 and 1.
 const LOW: f64 = 0.0005;
 const HIGH: f64 = 0.9995;
@@ -656,9 +653,9 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     table
 }
 
-/// The ends of an interval.
+/// The ends of an interval, if nothing makes the number exact.
 fn ends(interval: Option<&AvoidInterval>, measure: Measure, units: Units) -> String {
-    interval.map_or_else(
+    interval.filter(|interval| interval.low < interval.high).map_or_else(
         || NONE.to_owned(),
         |AvoidInterval { low, high, .. }| {
             format!("{} to {}", units.plain(measure, *low), units.plain(measure, *high))
@@ -866,11 +863,11 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
                 "The speed of [avoid] takes the place of the recorder's table, so that nothing says how the vehicle came to the impact; \
                  without `speed` in [avoid], the table does."
             } else {
-                "Nothing in the case says how the vehicle came to the impact."
+                "Nothing in the case says how the vehicle moved before the impact."
             };
             format!(
-                "{unknown} It is taken to have reacted and braked as the inputs say, so that its reaction was in time and its braking \
-                 full. `unbraked = true`, the speed at the impact, skid marks, phases or the table of a recorder tell otherwise."
+                "{unknown} The program assumes that its driver reacted and braked as the inputs say, in time and fully. If that is wrong, \
+                 set `unbraked = true`, or give the speed at the impact, skid marks, phases or the table of a recorder."
             )
         }
         ActualRun::Unbraked(why) => {
@@ -1016,8 +1013,8 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     );
     if scene.temporal().is_none() {
         table.note(
-            "Whether it was avoidable in time is not asked, as the case has no `clear`: it presupposes that the other party certainly moved \
-             and would not have stopped.",
+            "The report does not ask whether it was avoidable in time, because the case has no `clear`. That question presupposes that the \
+             other party certainly moved and would not have stopped.",
         );
     }
     table

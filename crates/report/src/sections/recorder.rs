@@ -88,9 +88,9 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
             let why = if found.recorder.incomplete {
                 "the recorder did not finish the record"
             } else {
-                "its record ends before the impact does"
+                "its record may end before the impact does"
             };
-            format!("ΔV of vehicle {id}: at least {size}{axis}{place}, as {why}")
+            format!("ΔV of vehicle {id}: at least {size}{axis}{place}, because {why}")
         });
     }
     lines
