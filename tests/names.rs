@@ -64,7 +64,8 @@ fn a_second_type_of_a_name_is_found() {
     let one =
         of("pub struct Zone<T = f64> {\npub(crate) struct Row;\n    pub enum Inner {}\npub fn zone() {}\n");
     assert_eq!(one.iter().collect::<Vec<_>>(), ["Zone"]);
-    let other = of("choices! {\n    pub enum Zone {\n    }\n}\npub trait Named: Sync {\n    pub enum Inner {}\n");
+    let other =
+        of("choices! {\n    pub enum Zone {\n    }\n}\npub trait Named: Sync {\n    pub enum Inner {}\n");
     assert_eq!(other.iter().collect::<Vec<_>>(), ["Named", "Zone"]);
     let crates = [("a".to_owned(), one), ("b".to_owned(), other)].into();
     assert_eq!(
