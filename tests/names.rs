@@ -4,9 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// The public types of a file, by name.
+/// The public types of a file, by name: those of the file itself, and of the macro `choices!`.
 fn types(text: &str) -> impl Iterator<Item = &str> {
-    let declared = text.lines().filter_map(|line| {
+    let mut is_in_choices = false;
+    let declared = text.lines().filter_map(move |line| {
+        is_in_choices = line == "choices! {" || is_in_choices && line != "}";
+        let line = if is_in_choices { line.strip_prefix("    ").unwrap_or(line) } else { line };
         let kinds = ["pub struct ", "pub enum ", "pub trait ", "pub type ", "pub union "];
         kinds.into_iter().find_map(|kind| line.strip_prefix(kind))
     });
@@ -61,7 +64,9 @@ fn a_second_type_of_a_name_is_found() {
     let one =
         of("pub struct Zone<T = f64> {\npub(crate) struct Row;\n    pub enum Inner {}\npub fn zone() {}\n");
     assert_eq!(one.iter().collect::<Vec<_>>(), ["Zone"]);
-    let other = of("pub enum Zone {\npub trait Named: Sync {\n");
+    let other =
+        of("choices! {\n    pub enum Zone {\n    }\n}\npub trait Named: Sync {\n    pub enum Inner {}\n");
+    assert_eq!(other.iter().collect::<Vec<_>>(), ["Named", "Zone"]);
     let crates = [("a".to_owned(), one), ("b".to_owned(), other)].into();
     assert_eq!(
         shared(&crates).into_iter().collect::<Vec<_>>(),

@@ -39,11 +39,15 @@ const fn key(example: &'static str, form: Form, text: &'static str) -> KeyInfo {
     KeyInfo { name: name_in(example), example, form, text }
 }
 
-/// The keys of a table. A row has the line that sets a key, the form of its value, and its text; the text of a
-/// key that is a table is that of the table.
+/// The keys of a table. A row has the line that sets a key, the form of its value, and its text; the text of
+/// a key that is a table is that of the table. The key of a range has its name, and then the whole range.
 macro_rules! keys {
-    ($($example:literal: $form:expr $(, $text:expr)?;)*) => {
-        [$(key($example, $form, keys!(@text $($text)?))),*]
+    ($($example:literal $(in $range:literal)?: $form:expr $(, $text:expr)?;)*) => {
+        [$(keys!(@key $example $(in $range)?, $form, keys!(@text $($text)?))),*]
+    };
+    (@key $example:literal, $form:expr, $text:expr) => { key($example, $form, $text) };
+    (@key $name:literal in $range:literal, $form:expr, $text:expr) => {
+        KeyInfo { name: $name, example: $range, form: $form, text: $text }
     };
     (@text) => { "" };
     (@text $text:expr) => { $text };
@@ -1352,45 +1356,28 @@ pub(crate) static RESTITUTION: Schema = Schema {
     rules: &[Rule::Needs(&["speeds", "values"])],
 };
 
-/// A key of a range, whose example shows the range.
-const fn of_range(name: &'static str, example: &'static str, form: Form, text: &'static str) -> KeyInfo {
-    KeyInfo { name, example, form, text }
-}
+/// How far a number may be off, in per cent of it.
+const WITHIN: [KeyInfo; 2] = keys! {
+    r#"within = "10 %""#: Form::Percent(POSITIVE),
+        "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.";
+    "confidence = 0.95": Form::Probability,
+        "Probability that the number lies within that deviation. More than 0 and less than 1.";
+};
 
-// The keys of a range; the example of a key also serves for the amounts of its range.
-const RANGE_VALUE: KeyInfo = of_range("value", "{ value = …, sd = … }", Form::Value, "Central value.");
-const RANGE_SD: KeyInfo = of_range(
-    "sd",
-    "{ value = …, sd = … }",
-    Form::Deviation,
-    "Standard deviation. With `value`, it makes a normal distribution.",
+// The example of a key of a range also serves for the amounts of its range.
+const RANGE_KEYS: [KeyInfo; 7] = joined(
+    &keys! {
+        "value" in "{ value = …, sd = … }": Form::Value, "Central value.";
+        "sd" in "{ value = …, sd = … }": Form::Deviation,
+            "Standard deviation. With `value`, it makes a normal distribution.";
+        "low" in "{ low = …, high = … }": Form::Value, "Least value.";
+        "mode" in "{ low = …, mode = …, high = … }": Form::Value,
+            "Most likely value. With `low` and `high`, it makes a triangular distribution.";
+        "high" in "{ low = …, high = … }": Form::Value,
+            "Greatest value. With only `low`, every value between the two is equally likely.";
+    },
+    &WITHIN,
 );
-const RANGE_LOW: KeyInfo = of_range("low", "{ low = …, high = … }", Form::Value, "Least value.");
-const RANGE_MODE: KeyInfo = of_range(
-    "mode",
-    "{ low = …, mode = …, high = … }",
-    Form::Value,
-    "Most likely value. With `low` and `high`, it makes a triangular distribution.",
-);
-const RANGE_HIGH: KeyInfo = of_range(
-    "high",
-    "{ low = …, high = … }",
-    Form::Value,
-    "Greatest value. With only `low`, every value between the two is equally likely.",
-);
-const RANGE_WITHIN: KeyInfo = key(
-    "within = \"10 %\"",
-    Form::Percent(POSITIVE),
-    "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
-);
-const RANGE_CONFIDENCE: KeyInfo = key(
-    "confidence = 0.95",
-    Form::Probability,
-    "Probability that the number lies within that deviation. More than 0 and less than 1.",
-);
-
-const RANGE_KEYS: [KeyInfo; 7] =
-    [RANGE_VALUE, RANGE_SD, RANGE_LOW, RANGE_MODE, RANGE_HIGH, RANGE_WITHIN, RANGE_CONFIDENCE];
 
 /// The range of one quantity.
 pub(crate) static RANGE: Schema = Schema {
@@ -1426,17 +1413,14 @@ pub(crate) static SOURCED_RANGE: Schema = Schema {
 pub(crate) static RANGE_OF_LIST: Schema = Schema {
     place: "a range of several values",
     text: "Several numbers that are not known exactly. All have the same spread, and each varies independently of the others.",
-    keys: &[
-        key("values = \"21.3 20.3 13.8 in\"", Form::Values, "The central values."),
-        of_range(
-            "sd",
-            "{ values = …, sd = … }",
-            Form::Deviation,
-            "Standard deviation. With `values`, it makes normal distributions.",
-        ),
-        RANGE_WITHIN,
-        RANGE_CONFIDENCE,
-    ],
+    keys: &joined::<4>(
+        &keys! {
+            r#"values = "21.3 20.3 13.8 in""#: Form::Values, "The central values.";
+            "sd" in "{ values = …, sd = … }": Form::Deviation,
+                "Standard deviation. With `values`, it makes normal distributions.";
+        },
+        &WITHIN,
+    ),
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 

@@ -58,8 +58,7 @@ fn year(FieldYear { source, crashes, sha256 }: &FieldYear) -> Value {
 pub(super) fn figures(figures: &Figures) -> Value {
     let part = |place: usize| Some(coverage(figures.coverage?.map(|part| part[place])));
     object! {
-        "n": figures.n,
-        "collisions": figures.collisions,
+        figures.{n, collisions},
         "bias": figures.bias[0],
         "bias_error": figures.bias[1],
         "rms": figures.rms[0],
@@ -89,9 +88,7 @@ fn vehicle(judged: &Judged) -> Value {
         "interval50": interval50,
         "interval80": interval80,
         "interval95": interval95,
-        "below": judged.below,
-        "crps": judged.crps,
-        "converged": judged.converged,
+        judged.{below, crps, converged},
         "winsmash"?: judged.winsmash,
     }
 }

@@ -116,14 +116,12 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "difference": pair(&line.cells, Cell::difference),
             "claims": pair(&line.cells, claim),
         })),
-        "table3_rms": list(&validation.table3_rms, |line| json!({
-            "tests": line.tests,
-            "turn": line.turn,
-            "ours": line.ours,
+        "table3_rms": list(&validation.table3_rms, |line| object! {
+            line.{tests, turn, ours},
             "paper_rows": line.paper_rows.ours,
             "paper": line.paper_rows.paper,
             "claim": claim(&line.paper_rows),
-        })),
+        }),
         "energies": list(energies, |(test, quantity, cell)| json!({
             "test": test,
             "quantity": quantity,
@@ -138,24 +136,22 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             "claim": claim(&figure.cell),
         })),
         // From the published profiles; then from other energies.
-        "reconstruction": list(&validation.reconstructions, |line| json!({
-            "test": line.test,
-            "crush_energy": line.crush_energy,
-            "found": line.found,
+        "reconstruction": list(&validation.reconstructions, |line| object! {
+            line.{test, crush_energy, found},
             "true": line.true_speed,
             "error": line.error(),
-            "implied": {
+            "implied": object! {
                 "crush_energy": line.implied_energy,
                 "found": line.found_implied,
                 "error": line.found_implied - line.true_speed,
             },
-            "round_trip": {
+            "round_trip": object! {
                 "crush_energy": line.printed_normal_loss,
                 "found": line.round_trip.ours,
                 "error": line.round_trip.difference(),
                 "claim": claim(&line.round_trip),
             },
-        })),
+        }),
         "choices": list(&validation.reconstructions, |line| json!({
             "test": line.test,
             "fitted": line.found,
