@@ -14,7 +14,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::Arc;
 
 use ::uncertainty::normal::quantiles;
-use ::uncertainty::{SamplingMethod, Settings, random};
+use ::uncertainty::{SamplingMethod, Settings, order_statistic, random};
 use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, Faults, Find,
@@ -257,7 +257,7 @@ impl Avoidance {
     }
 
     /// (–) probability that the other vehicle was stationary, where its motion counts and the evidence leaves
-    /// that open: the median of its speed is then that of neither case.
+    /// that open: the central values are then those of a vehicle that moved.
     #[must_use]
     pub fn other_may_have_stood(&self) -> Option<f64> {
         let estimated = self.told.as_ref()?.estimated.as_ref()?;
@@ -494,7 +494,9 @@ impl Told {
             });
         }
         if let Some(speed) = output(vehicle) {
-            let other = output(vehicle.other());
+            let moving =
+                estimated.as_deref().and_then(|estimated| median_if_it_moved(estimated, vehicle.other()));
+            let other = moving.or_else(|| output(vehicle.other()));
             let warnings = estimated.as_ref().map_or_else(Vec::new, |estimated| estimated.warnings.clone());
             let exact = leading;
             return Ok(Self { other, exact, estimated, warnings, ..Self::at(SpeedSource::Estimated, speed) });
@@ -806,6 +808,16 @@ const ALONG: f64 = 0.5 * COLLINEAR;
 /// Speeds at the impact that differ by this share of the greater one contradict each other, as few ranges
 /// are wider.
 const CONTRADICTS: f64 = 0.25;
+
+/// (m/s) the median speed of a vehicle if it moved, where the evidence leaves open whether it did: the median
+/// of all draws may be that of neither case.
+fn median_if_it_moved(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> {
+    let stood = estimated.stood[vehicle.index()]?.after.value;
+    let draws = estimated.draws(SPEED.of_vehicle(vehicle)).filter(|_| OPEN.contains(&stood))?;
+    let mut moving: Vec<f64> = draws.iter().copied().filter(|speed| *speed > 0.0).collect();
+    moving.sort_by(f64::total_cmp);
+    (!moving.is_empty()).then(|| order_statistic(&moving, 0.5 * moving.len() as f64))
+}
 
 /// (–) probabilities that leave open whether a vehicle stood.
 const OPEN: RangeInclusive<f64> = 0.05..=0.95;

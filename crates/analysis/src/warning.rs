@@ -833,6 +833,9 @@ fn of_contact_places(case: &Case, warnings: &mut Vec<Warning>) {
     }
 }
 
+/// Number of full turns from which on the way to rest is unusual.
+const MANY_TURNS: f64 = 3.0;
+
 /// Warnings about numbers of the file that are probably wrong: angles, speeds, friction, barrier tests.
 pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     let large_angles = case.variables_where(|Variable { number, unit, origin, .. }| {
@@ -843,6 +846,9 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     for (_, input) in large_angles {
         let in_degrees = input.unit.is_some_and(|unit| unit.spelling() == "deg");
         let turns = input.si().abs() / TAU;
+        if input.path.ends_with(".turned") && turns < MANY_TURNS {
+            continue;
+        }
         warnings.push(Warning::LargeAngle { path: input.path, turns, in_degrees });
     }
     of_contact_places(case, warnings);

@@ -467,3 +467,22 @@ fn paths_may_turn() {
         }
     }
 }
+
+/// Steady at 30 km/h: v = 30 + U(±step/2) + 30 (1.4 % ± 0.43 % ± 0.7 %) is above 30 with (½ step + 0.42)/step.
+#[test]
+fn the_probability_has_the_rounding_of_recorded_speeds() {
+    for (step, above) in [("1 km/h", 0.857), ("5 km/h", 0.584)] {
+        let found = asked_with(
+            &format!(
+                "[avoid]\nother_party = \"pedestrian\"\nlimit = \"30 km/h\"\nreaction_time = \"1 s\"\nswell = \"0.2 s\"\n\
+                 deceleration = \"7 m/s^2\"\ndemand = {{ time = \"1.5 s\" }}\n[vehicle1.recorder]\npre_crash = {{ text = \"\"\"\n\
+                 Time (sec)  Speed, vehicle indicated (km/h)  Service brake (On, Off)\n-2.0 30 Off\n-1.5 30 Off\n-1.0 30 Off\n\
+                 -0.5 25 On\n0.0 15 On\n\"\"\" }}\nerrors = {{ step = \"{step}\" }}\n"
+            ),
+            AvoidPlan { samples: 20_000, ..AvoidPlan::default() },
+        )
+        .unwrap();
+        let chance = found.chance.unwrap();
+        assert!((chance.above_limit - above).abs() < 0.015, "{step}: {}", chance.above_limit);
+    }
+}

@@ -406,9 +406,18 @@ pub enum BrakingForm<T = f64> {
     Recorded {
         /// The samples.
         approach: Arc<SampledApproach>,
-        /// Error of their speeds, in standard deviations of what the speed at the impact leaves open.
-        error: f64,
+        /// The error of their speeds.
+        error: RecordedError,
     },
+}
+
+/// The error of recorded speeds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RecordedError {
+    /// (–) the error that all speeds share, in standard deviations of what the speed at the impact leaves open.
+    pub shared: f64,
+    /// The random key of the rounding of each stored speed; `None` for speeds that are not rounded.
+    pub rounding: Option<u64>,
 }
 
 impl<T> AvoidForm<T> {
@@ -429,8 +438,8 @@ impl<T> AvoidForm<T> {
         line.into_iter().chain(sight).any(|motion| motion.speed.is_none())
     }
 
-    /// Sets the errors of the recorded speeds, in standard deviations: of the vehicle, and of the other.
-    pub fn with_errors(mut self, [own, other]: [f64; 2]) -> Self {
+    /// Sets the errors of the recorded speeds: of the vehicle, and of the other.
+    pub fn with_errors(mut self, [own, other]: [RecordedError; 2]) -> Self {
         let line = self.same_line.as_mut().map(|line| (&mut line.motion.braking, other));
         let sight = self.sight.as_mut().map(|sight| (&mut sight.other.braking, other));
         for (way, errs) in std::iter::once((&mut self.braking, own)).chain(line).chain(sight) {

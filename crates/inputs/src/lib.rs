@@ -81,7 +81,8 @@ pub use after::{
 pub use avoid::{
     Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
     GivenWayOut, Obstacle, OffLine, OtherApproach, OtherForm, OtherMotionForm, OtherParty, PartyApproach,
-    PathForm, PlaceForm, ReactionDemand, SUBJECTS, SWELLS, SameLineForm, SightForm, Sourced, SpeedForm,
+    PathForm, PlaceForm, ReactionDemand, RecordedError, SUBJECTS, SWELLS, SameLineForm, SightForm, Sourced,
+    SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

@@ -395,19 +395,33 @@ impl Leg {
     }
 }
 
-/// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of brake
-/// and ABS and from how fast the stored speed fell (m/s²), if that is known.
-fn slips([brake, abs]: [Option<bool>; 2], slowed: Option<f64>, errors: &ImpactSpeedErrors) -> [f64; 2] {
+/// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of a sample
+/// and from how fast the stored speed fell (m/s²) since the sample before, `before`, if that is known.
+fn slips(
+    sample: &PreCrashSample,
+    before: Option<&PreCrashSample>,
+    slowed: Option<f64>,
+    errors: &ImpactSpeedErrors,
+) -> [f64; 2] {
     let hard = errors.friction * GRAVITY;
-    match (abs, slowed) {
+    match (sample.abs, slowed) {
         (Some(true), _) => [1.0, 0.0],
         (_, Some(slowed)) => {
             // With the brake off, an engine that brakes makes no wheel slip.
-            let from = if brake == Some(false) { errors.coasting } else { 0.0 };
-            [if hard > from { ((slowed - from) / (hard - from)).clamp(0.0, 1.0) } else { 0.0 }, 0.0]
+            let from = if sample.brake == Some(false) { errors.coasting } else { 0.0 };
+            let share = if hard > from { ((slowed - from) / (hard - from)).clamp(0.0, 1.0) } else { 0.0 };
+            let came_on = sample.brake == Some(true) && before.and_then(|before| before.brake) == Some(false);
+            if came_on && share > 0.0 && share < 1.0 {
+                // It acted for a part f of the time, h f = share. With uniform f and h, h has a density ~ 1/h
+                // from the share to 1: E(h) = (1 − share)/ln(1/share), E(h²) = (1 − share²)/(2 ln(1/share))
+                let span = -ln(share);
+                let mean = (1.0 - share) / span;
+                return [mean, (1.0 - share * share) / (2.0 * span) - mean * mean];
+            }
+            [share, 0.0]
         }
         (_, None) => {
-            let on = brake.map_or(UNKNOWN_BRAKE, |on| if on { 1.0 } else { 0.0 });
+            let on = sample.brake.map_or(UNKNOWN_BRAKE, |on| if on { 1.0 } else { 0.0 });
             // Braked by any part of hard braking if it was on: E(h) = p/2, E(h²) = p/3
             [on / 2.0, on / 3.0 - on * on / 4.0]
         }
@@ -466,8 +480,9 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
         // The first is judged by the one after it.
         let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
+        let before = if k > 0 { Some(points[k - 1].0) } else { None };
         let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
-        let [slip, slip_sd] = slip(*stored, slips([sample.brake, sample.abs], slowed, errors), errors);
+        let [slip, slip_sd] = slip(*stored, slips(sample, before, slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
         // The wheels of a vehicle at rest did not slip.
         let moved = if *stored > 0.0 { 1.0 } else { 0.0 };
@@ -491,6 +506,8 @@ pub struct SampledApproach {
     pub samples: Vec<SampleSpeed>,
     /// (m/s) mean and standard deviation of its speed at the impact.
     pub at_impact: [f64; 2],
+    /// (m/s) the step in which the speeds are stored: each is rounded by up to half of it.
+    pub step: f64,
 }
 
 impl SampledApproach {
@@ -500,7 +517,7 @@ impl SampledApproach {
     /// Errors beyond their range, or a record without a speed.
     pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, ImpactSpeedFault> {
         let ImpactSpeed { mean, sd, .. } = ImpactSpeed::of(record, errors)?;
-        Ok(Self { samples: sample_speeds(record, errors), at_impact: [mean, sd] })
+        Ok(Self { samples: sample_speeds(record, errors), at_impact: [mean, sd], step: errors.step })
     }
 
     /// (–) mean and standard deviation of the error that the samples share, in standard deviations of each,
@@ -537,7 +554,8 @@ impl ImpactSpeed {
         };
         let leg = |k: usize| {
             let (sample, stored) = points[k];
-            let hard = slips([sample.brake, sample.abs], fall(k), errors);
+            let before = k.checked_sub(1).map(|before| points[before].0);
+            let hard = slips(sample, before, fall(k), errors);
             let courses = brake_courses(record, sample.time, errors);
             Leg { stored, gap: 0.0 - sample.time, hard, courses }
         };

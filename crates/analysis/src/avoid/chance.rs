@@ -2,9 +2,9 @@
 
 use ::uncertainty::normal::quantiles;
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, order_statistic, random};
-use inputs::{AvoidForm, Input};
+use inputs::{AvoidForm, Input, RecordedError};
 
-use super::posing::SoughtSpeeds;
+use super::posing::{SoughtSpeeds, Unposed};
 use super::scene::{AvoidScene, Sight};
 use super::sight::{Outlines, pose};
 use crate::columns::Number;
@@ -19,6 +19,8 @@ pub struct AvoidChance {
     pub samples: usize,
     /// Number of samples whose numbers are those of a scene, from which everything below comes.
     pub possible: usize,
+    /// Number of samples in which the vehicle did not move forward: they are not possible.
+    pub stationary: usize,
     /// (–) number of independent samples that would be as accurate.
     pub effective: f64,
     /// (–) that the collision is avoided at the limit, with the reaction and the braking of `[avoid]`.
@@ -127,6 +129,7 @@ pub(super) fn chance(
     let mut columns = vec![Lanes::ZERO; inputs.len()];
     let mut drawn: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); inputs.len()];
     let mut scenes: Vec<Option<AvoidScene>> = Vec::with_capacity(samples);
+    let mut stationary = 0;
     for (block, first) in (0..).zip((0..samples).step_by(LANES)) {
         if let Some(sampler) = &sampler {
             sampler.fill(block, &mut columns);
@@ -136,6 +139,11 @@ pub(super) fn chance(
             kept.extend_from_slice(&column[..lanes]);
         }
         let errors = is_recorded.then(|| keys.map(|key| errors(key, first)));
+        let error = |lane: usize| {
+            let shared = errors.as_ref()?.each_ref().map(|errors| errors[lane]);
+            let rounding = |key| Some(random::key(key, &[(first + lane) as u64]));
+            Some([0, 1].map(|of: usize| RecordedError { shared: shared[of], rounding: rounding(keys[of]) }))
+        };
         scenes.extend((0..lanes).map(|lane| {
             let of = |speeds: &[f64]| speeds.get(first + lane).copied();
             let sought = SoughtSpeeds {
@@ -143,17 +151,20 @@ pub(super) fn chance(
                 other: speeds.and_then(|told| of(told.other)).or_else(|| other(first + lane)),
             };
             let form = form.map(|number| number.at(&columns, lane));
-            let form = match &errors {
-                Some(errors) => form.with_errors(errors.each_ref().map(|errors| errors[lane])),
+            let form = match error(lane) {
+                Some(errors) => form.with_errors(errors),
                 None => form,
             };
-            pose(&form, sought, obstacles).ok()
+            let posed = pose(&form, sought, obstacles);
+            stationary += usize::from(matches!(posed, Err(Unposed::Stands)));
+            posed.ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);
     let varying = inputs.iter().map(|input| Some(&input.input)).zip(drawn.iter().map(Vec::as_slice));
     let varying: Vec<_> = varying.chain(told.map(|speeds| (None, speeds))).collect();
-    Ok(of_scenes(&scenes, &varying, speeds.and_then(|speeds| speeds.estimated)))
+    let chance = of_scenes(&scenes, &varying, speeds.and_then(|speeds| speeds.estimated));
+    Ok(chance.map(|chance| AvoidChance { stationary, ..chance }))
 }
 
 /// By how many standard deviations the speeds of a recorder err in the samples from `first` on.
@@ -208,6 +219,7 @@ fn of_scenes(
     Some(AvoidChance {
         samples: scenes.len(),
         possible: posed.len(),
+        stationary: 0,
         effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
         avoided_at_limit,
         avoided_else_as_it_was: share(posed.iter().filter(|scene| scene.is_avoided_else_as_it_was()).count()),

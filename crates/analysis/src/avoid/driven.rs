@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use inputs::{BrakingForm, PhaseForm, Quantity, STANDARD_GRAVITY};
+use ::uncertainty::random;
+use inputs::{BrakingForm, PhaseForm, Quantity, RecordedError, STANDARD_GRAVITY};
 use pim_core::InvalidInput;
 use recorder::{SampleSpeed, SampledApproach};
 use time_distance::{Course, Leg, Phase, Response, approach};
@@ -308,15 +309,19 @@ fn stretches(
     Ok((phases, at_impact))
 }
 
-/// The samples as phases up to the impact with this speed (m/s) and, in standard deviations, an error of what
-/// that speed leaves open.
-fn recorded(approach: &SampledApproach, at_impact: f64, error: f64) -> Vec<Phase> {
+/// The samples as phases up to the impact with this speed (m/s) and this error.
+fn recorded(approach: &SampledApproach, at_impact: f64, error: RecordedError) -> Vec<Phase> {
     let [mean, sd] = approach.shared_error(at_impact);
-    let error = mean + sd * error;
+    let shared = mean + sd * error.shared;
+    // Speeds that are stored alike are rounded alike, as those of a vehicle at a constant speed are.
+    let rounding = |speed: f64| match error.rounding {
+        Some(key) if speed > 0.0 => approach.step * (random::unit(random::bits(key, speed.to_bits())) - 0.5),
+        _ => 0.0,
+    };
     let kept: Vec<&SampleSpeed> = approach.samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
     let ends = kept.iter().skip(1).map(|sample| sample.time).chain([0.0]);
     let phase = |(sample, end): (&&SampleSpeed, f64)| Phase::FromFor {
-        speed: (sample.speed + error * sample.sd).max(0.0),
+        speed: (sample.speed + shared * sample.sd + rounding(sample.speed)).max(0.0),
         time: end - sample.time,
     };
     kept.iter().zip(ends).map(phase).collect()

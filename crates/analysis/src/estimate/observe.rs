@@ -15,6 +15,7 @@ use real::principal_angle;
 
 use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
+use super::posed::OpenSpeeds;
 use crate::given::certain_limits;
 use crate::thresholds::RECORDER_SPEED_ERROR;
 use crate::uncertainty::UncertainInput;
@@ -41,6 +42,7 @@ pub(super) struct Scene<'a> {
     /// Whether each vehicle is followed to rest.
     pub(super) followed: [bool; 2],
     pub(super) crushed: Crushed,
+    pub(super) speeds: OpenSpeeds,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
 }
@@ -84,7 +86,7 @@ impl<'a> Subject<'a> {
 
 /// All the evidence of a case.
 pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
-    let Scene { case, prior, ranges, nominal, crushed, reference, .. } = *scene;
+    let Scene { case, prior, ranges, nominal, crushed, speeds, reference, .. } = *scene;
     let mut notes = Notes::default();
     let vehicles = VehicleId::ALL.map(|id| vehicle(scene, id, &mut notes));
     let pdofs_differ = pdofs_differ(case, &vehicles);
@@ -103,7 +105,7 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
-    let severity = if of_object { severity.of_uniform_speed() } else { severity };
+    let severity = (0..speeds.uniform()).fold(severity, |severity, _| severity.of_uniform_speed());
     let crush = (crushed != Crushed::No)
         .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);

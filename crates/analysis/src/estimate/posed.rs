@@ -45,6 +45,15 @@ impl OpenSpeeds {
         }
     }
 
+    /// The number of unknown speeds that are uniform before the severity, each in its own value.
+    pub(super) fn uniform(self) -> usize {
+        match self {
+            Self::None | Self::Together(_) => 0,
+            Self::One(..) => 1,
+            Self::Each(_) => 2,
+        }
+    }
+
     /// (m/s) the unknown speeds of a particle with these values and headings along `forward`.
     #[inline(always)]
     pub(super) fn along(

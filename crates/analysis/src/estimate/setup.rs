@@ -217,6 +217,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         motion: motion.as_ref(),
         followed,
         crushed,
+        speeds,
         reference,
     });
     unused.extend(notes.unused);

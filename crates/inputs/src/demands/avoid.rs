@@ -13,7 +13,7 @@ use super::{Demand, table};
 use crate::after::{PhaseForm, SkidBegin};
 use crate::avoid::{
     Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, GivenDemand, GivenWayOut, OffLine,
-    OtherMotionForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
+    OtherMotionForm, PathForm, PlaceForm, RecordedError, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::Faults;
@@ -173,7 +173,9 @@ impl<T: Copy + From<f64>> Case<T> {
             (None, phases @ [_, ..], _) => {
                 BrakingForm::Phases(phases.iter().map(|phase| phase.form).collect())
             }
-            (None, [], Some(approach)) => BrakingForm::Recorded { approach: approach.clone(), error: 0.0 },
+            (None, [], Some(approach)) => {
+                BrakingForm::Recorded { approach: approach.clone(), error: RecordedError::default() }
+            }
             (None, [], None) => BrakingForm::Unknown,
         })
     }

@@ -602,8 +602,8 @@ impl<T: Real> Demand<'_, T> {
                         "the path turns back: to get here it turns by {:.0}° at the place before",
                         turn.abs().to_degrees()
                     ),
-                    "list the points in the order in which the CG passed them, from the impact to the rest; a second impact or a rebound ends \
-                     the path before it",
+                    "list the points in the order in which the CG passed them, from the impact to the rest, and leave out a point that is \
+                     nearer to the next one than both are known; a second impact or a rebound ends the path before it",
                 );
                 return;
             }

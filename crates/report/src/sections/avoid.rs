@@ -102,8 +102,9 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     if let Some(chance) = &found.chance {
         let either = format!("at {limit}, or the speed driven where that is lower");
         let lower = if (LOW..HIGH).contains(&chance.above_limit) { &either } else { &at };
+        let moved = if chance.stationary > 0 { ", if the vehicle moved" } else { "" };
         lines.push(format!(
-            "Probability that it is avoided {lower}: {}; that the vehicle was faster than {limit}: {}",
+            "Probability that it is avoided {lower}{moved}: {}; that the vehicle was faster than {limit}: {}",
             at_a_glance(chance.avoided_at_limit),
             at_a_glance(chance.above_limit),
         ));
@@ -236,8 +237,8 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let of_stood = found.other_may_have_stood().map(|stood| {
         let percent = number(100.0 * stood, 0);
         format!(
-            "Vehicle {} was stationary with a probability of {percent} %. The central values take the median of its speed, which is then \
-             that of neither case: only the probability accounts for both.",
+            "Vehicle {} was stationary with a probability of {percent} %. The central values hold for the case that it moved; the \
+             probability accounts for both cases.",
             found.vehicle.other()
         )
     });
@@ -1107,11 +1108,20 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
         units.format(Measure::Time, chance.time.low),
         units.format(Measure::Time, chance.time.high),
     ));
-    if chance.possible < chance.samples {
+    if chance.stationary > 0 {
+        table.note(format!(
+            "In {} more samples ({} %), vehicle {} did not move forward at the impact. They do not count: the probabilities hold if it moved.",
+            grouped(chance.stationary),
+            number(100.0 * chance.stationary as f64 / chance.samples as f64, 1),
+            found.vehicle
+        ));
+    }
+    let impossible = chance.samples - chance.possible - chance.stationary;
+    if impossible > 0 {
         table.note(format!(
             "{} more samples do not count, because they describe no possible scene: the brakes took hold before the demand, for example, or \
              the vehicle did not catch up with the other.",
-            grouped(chance.samples - chance.possible)
+            grouped(impossible)
         ));
     }
     table
