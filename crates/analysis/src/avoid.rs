@@ -362,7 +362,7 @@ fn found(
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let holds_the_eye = |index| {
         let name = obstacle_name(case, index);
-        let what = "the way of the driver's eye to the impact leads through";
+        let what = "the path of the driver's eye to the impact runs through";
         of_obstacle(index, format!("{what} {name}, which would hide everything"))
     };
     let hiding = hiding.transpose().map_err(holds_the_eye)?;
@@ -868,7 +868,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 DemandForm::Sight => (
                     "avoid.demand.sight",
                     format!("{} s", rounded(time)),
-                    "the moment at which the view became free".to_owned(),
+                    "the moment when the view became free".to_owned(),
                 ),
                 DemandForm::Other(other) => {
                     let taken = other.time().unwrap_or_default();
@@ -886,7 +886,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::SkidTooLong => Fault::refused(
             format!("{table}.before.skid"),
             "from the speed of [avoid], this skid ends before the impact",
-            "check its length and friction; or leave `speed` out of [avoid], and give that at the impact",
+            "check its length and friction; or leave `speed` out of [avoid], and give the speed at the impact",
         ),
         Unposed::SetsOutLater { distance } => {
             let (key, given) = match &form.demand {
@@ -900,7 +900,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             let reason = format!(
                 "the phases begin with a stop {set_out} before the impact, and the reaction demand is {given} before it"
             );
-            let advice = "give the demand by `time`, or a distance from which the vehicle came moving";
+            let advice = "give the demand by `time`, or a distance at which the vehicle was already moving";
             Fault::refused(key, reason, advice)
         }
         Unposed::Phases(refusal) => Fault::refused(
@@ -909,8 +909,8 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 _ => format!("{table}.before.phase"),
             },
             format!("the vehicle cannot have moved like this: {refusal}"),
-            "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
-             brakes",
+            "check the numbers of the phases against the speed at the impact; `acceleration` is negative while \
+             the vehicle brakes",
         ),
         Unposed::OtherPhases(refusal) => Fault::refused(
             format!("vehicle{}.before", form.vehicle.other()),
@@ -950,19 +950,19 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         ),
         Unposed::OtherUnknown => Fault::refused(
             "avoid.sight.other_speed",
-            "nothing tells how fast the other party moves",
+            "nothing says how fast the other party moves",
             "give `other_speed` in [avoid.sight], as in other_speed = \"1.5 m/s\"",
         ),
         Unposed::OtherStands => Fault::refused(
             "avoid.clear",
-            "the other vehicle stood at the impact, so that it never clears the danger zone",
+            "the other vehicle was stationary at the impact, so it never clears the danger zone",
             "leave `clear` out",
         ),
         Unposed::NeverHidden => Fault::refused(
             "avoid.demand.sight",
             format!(
-                "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so that the demand cannot be the moment at \
-                 which it comes into sight"
+                "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so the demand \
+                 cannot be the moment when it comes into sight"
             ),
             "check the corners of [[avoid.obstacle]] and the directions in [avoid.sight], or give `demand` by distance or time",
         ),
@@ -991,9 +991,9 @@ pub fn obstacle_name(case: &Case, index: usize) -> String {
 }
 
 fn no_speed(vehicle: VehicleId) -> Faults {
-    let reason = format!("nothing in the case tells the speed of [vehicle{vehicle}]");
+    let reason = format!("nothing in the case gives the speed of [vehicle{vehicle}]");
     let advice = format!(
-        "give `speed` in [avoid], that at the reaction demand, or `speed` in [vehicle{vehicle}], that at the impact"
+        "give `speed` in [avoid], for the reaction demand, or `speed` in [vehicle{vehicle}], for the impact"
     );
     Fault::refused("avoid", reason, advice).into()
 }

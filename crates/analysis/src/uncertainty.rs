@@ -521,7 +521,7 @@ fn no_range(case: &Case) -> Fault {
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
     let advice = format!("its outputs are {}", names.join(", "));
-    Fault::refused("", "the case has none of the outputs that are asked for", advice)
+    Fault::refused("", "the case has none of the outputs requested", advice)
 }
 
 /// The distribution of a shared error.

@@ -150,7 +150,7 @@ pub(crate) fn drawn(case: &Case, judgement: &Judgement) -> Vec<&'static str> {
 pub enum DrawingError {
     /// The scene and the energy are those of an impact.
     #[error(
-        "there is no {} to draw: that takes an [impact] table and {}",
+        "there is no {} to draw: it takes an [impact] table and {}",
         subject.name(),
         if *.subject == Subject::Scene { "heading and contact point of both vehicles" } else { "the speeds" }
     )]
@@ -341,7 +341,7 @@ impl<'a> PlainSpeed<'a> {
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
-            "Without the speeds that are sought: the exact solution is not the answer."
+            "Without the speeds to be found: the exact solution is not the answer."
         } else {
             ""
         }

@@ -194,7 +194,7 @@ class Solution(Record):
     delta_v: _MaybePair
     """(m/s) of both vehicles; None for one that cannot move."""
     outside: tuple[str, ...]
-    """Keys of the results that lie outside of the 95 % interval of all the evidence."""
+    """Keys of the results that lie outside the 95 % interval of all the evidence."""
     differs_from_given: tuple[str, ...]
     """Keys of given speeds from which it differs, where there are any."""
     failed: tuple[str, ...]
@@ -1204,7 +1204,7 @@ class _Estimate(_Document):
     unused: tuple[Unused, ...]
     """Evidence that is not used, and why."""
     warnings: tuple[CaseWarning, ...]
-    """What speaks against the inputs."""
+    """Objections to the inputs."""
 
 
 # avoid()

@@ -80,8 +80,7 @@ pub struct SightIntervals {
 pub struct AvoidInfluence {
     /// The number; `None` for the speed that the rest of the case tells.
     pub input: Option<Input>,
-    /// (–) the probability among the samples in which the number is above its median, less that among the
-    /// others.
+    /// (–) the probability among the samples with the number above its median, minus that among the others.
     pub difference: f64,
 }
 

@@ -754,7 +754,7 @@ fn speeds(
             return Err(fault(
                 "at_least",
                 &format!(
-                    "{:.0} km/h is faster than any speed that is considered: the highest is {:.0} km/h",
+                    "{:.0} km/h is faster than any speed considered: the highest is {:.0} km/h",
                     3.6 * least,
                     3.6 * FASTEST_BELIEVED
                 ),

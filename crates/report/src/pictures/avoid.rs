@@ -46,10 +46,11 @@ impl AvoidPicture {
         match self {
             Self::PathTime => Ok(path_time_picture(case, found, units).draw()),
             Self::Chance => chance_picture(case, found, units).map(|picture| picture.draw()).ok_or(
-                "there is no probability to draw: no number of the case is a range, and no evidence tells the speed",
+                "there is no probability to draw: no number of the case is a range, and no evidence gives the speed",
             ),
             Self::Sight => sight_picture(case, found, units).map(|picture| picture.draw()).ok_or(
-                "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
+                "there is no plan to draw: the case has no [[avoid.obstacle]], and no [avoid.sight] that says \
+                 how both approached",
             ),
         }
     }
@@ -226,8 +227,8 @@ fn outcome(found: &Avoidance, run: &AvoidRun, units: Units) -> String {
         return format!("{name}: {stops}.");
     }
     let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
-    let place = other.map_or("at the place".to_owned(), |other| format!("reaches vehicle {other}"));
-    format!("{name}: {place} with {}{late}.", units.road_speed(run.collision_speed))
+    let place = other.map_or("reaches the place".to_owned(), |other| format!("reaches vehicle {other}"));
+    format!("{name}: {place} at {}{late}.", units.road_speed(run.collision_speed))
 }
 
 pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Option<ChancePicture> {
@@ -258,6 +259,6 @@ pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Op
         upward: Axis { title: "probability that it is avoided".to_owned(), unit: 1.0 },
         points: points.collect(),
         marks: vec![mark(scene.limit, "limit:"), mark(scene.speed, "driven:")],
-        legend: ["probability", "where it lies, as far as the sampling goes (95 %)"].map(str::to_owned),
+        legend: ["probability", "95 % interval from the sampling"].map(str::to_owned),
     })
 }
