@@ -125,7 +125,7 @@ impl UncertainOutput {
 }
 
 /// (SI) a typical large value of an output: a right angle or so, the closing speed, the energy before the
-/// impact; of a path to rest its length, its time and the speed at its start. 0 where any spread counts.
+/// impact; of a path to rest its length, its time and the speed at its start. 0 if any spread counts.
 fn scale(output: Output, nominal: &Analysis) -> f64 {
     let exchange = nominal.exchange();
     let travel = output.vehicle().and_then(|vehicle| nominal.travel[vehicle.index()].as_ref());

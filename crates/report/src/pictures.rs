@@ -60,7 +60,7 @@ impl Subject {
     /// have it, the motion after the impact or the geometry alone.
     ///
     /// # Errors
-    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) says what it lacks for this subject.
+    /// If the case has no such analysis; [`obstacle`](Self::obstacle) says what it lacks for this subject.
     pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
         let furthest = analysis::furthest(case);
         match (self, &furthest) {
@@ -85,7 +85,7 @@ impl Subject {
         Self::ALL.into_iter().filter(|subject| subject.obstacle(case).is_none()).collect()
     }
 
-    /// Why the case lacks what this drawing needs; `None` where it lacks nothing.
+    /// Why the case lacks what this drawing needs; `None` if it lacks nothing.
     #[must_use]
     pub fn obstacle(self, case: &Case) -> Option<DrawingError> {
         let purpose = case.furthest_purpose();

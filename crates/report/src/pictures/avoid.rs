@@ -26,7 +26,7 @@ choices! {
         PathTime = "path-time",
         /// The probability that the collision is avoided, against the speed.
         Chance = "chance",
-        /// The ways of both to the impact, the obstacles and the line of sight.
+        /// The paths of both to the impact, the obstacles and the line of sight.
         Sight = "sight",
     }
 }
@@ -117,7 +117,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         (points, format!("{party}, along its own path"))
     };
     let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
-    // The way of the other party, the danger zone, and how far up both reach.
+    // The path of the other party, the danger zone, and how far up both reach.
     let (other, zone, highest) = match (&scene.same_line, clears) {
         (Some(line), _) => {
             let at = |k: u32| {
@@ -161,7 +161,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     }
 }
 
-/// (s) between two places of the ways.
+/// (s) between two places of the paths.
 const APART: f64 = 0.5;
 /// How many of them are shown beyond the demand and the free view.
 const MORE: f64 = 1.0;
@@ -195,11 +195,11 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
     let party = party(case);
     let is_eye = !obstacles.is_empty() || case.avoid.as_ref()?.sight.eye.is_some();
     let (subtitle, description) = if obstacles.is_empty() {
-        ("Before the impact", "The ways of both to the impact, seen from above.".to_owned())
+        ("Before the impact", "The paths of both to the impact, seen from above.".to_owned())
     } else {
         (
             "What the obstacles hide",
-            format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
+            format!("Obstacles and the paths of both to the impact, seen from above: {says}."),
         )
     };
     Some(SightPicture {

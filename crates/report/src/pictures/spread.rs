@@ -201,8 +201,8 @@ fn input_in_words(path: &str) -> String {
     format!("{name}{of}")
 }
 
-/// The labels of a bar of a tornado, each with the end at which it stands. Two ends that are printed alike
-/// share one label, as do two ends on one side, where the shorter part of the bar lies on the longer one.
+/// The labels of a bar of a tornado, each with its end of the bar. Two ends that are printed alike share one
+/// label, as do two ends on one side, where the shorter part of the bar lies on the longer one.
 fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -> Vec<(f64, String)> {
     if let [Some(low), Some(high)] = ends {
         let longer = if (low - central).abs() > (high - central).abs() { low } else { high };

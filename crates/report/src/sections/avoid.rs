@@ -90,7 +90,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         }
     }));
     let above = scene.is_above_limit();
-    // What the verdicts say holds for one value of each number, where these are uncertain.
+    // The verdicts hold for one value of each number, if these are uncertain.
     let central = if found.chance.is_some() { ", by the central values" } else { "" };
     if !above {
         lines.push(format!(
@@ -141,7 +141,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         }
     });
-    // One that stops before the place is not late, but never comes.
+    // A vehicle that stops before the place is not late: it never arrives.
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
         let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
@@ -180,7 +180,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     lines
 }
 
-/// A probability in the digits that its inputs bear, if these do not round it to 0 or 1.
+/// A probability in the digits that its inputs justify, if these do not round it to 0 or 1.
 fn at_a_glance(probability: f64) -> String {
     if (0.005..0.995).contains(&probability) { number(probability, 2) } else { in_decimals(probability) }
 }
@@ -194,7 +194,7 @@ fn in_decimals(probability: f64) -> String {
     }
 }
 
-/// Its error, where three decimals show the probability.
+/// Its error, if three decimals show the probability.
 fn error_between(probability: f64, error: f64) -> Option<f64> {
     (LOW..HIGH).contains(&probability).then_some(error)
 }
@@ -350,8 +350,8 @@ fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
     )]
 }
 
-/// Where the marks show a better driver or better brakes than the inputs of `[avoid]`, which then give no run
-/// that is better than what happened.
+/// If the marks show a better driver or better brakes than the inputs of `[avoid]`, these give no run better
+/// than what happened.
 fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     let ActualRun::Skidded(shown) = found.scene.actual else { return Vec::new() };
     let given = found.scene.response;
@@ -811,7 +811,7 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     table
 }
 
-/// Where a collision is: at the place of the impact, or with a vehicle that moves wherever that is.
+/// Where a collision is: at the place of the impact, or wherever a moving vehicle then is.
 fn place(found: &Avoidance) -> &'static str {
     if found.on_line().is_some() { "contact" } else { "place" }
 }
@@ -986,7 +986,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
-        // Where even a stationary vehicle is reached, no speed avoids it.
+        // If even a stationary vehicle is reached, no speed avoids it.
         let is_none = found.on_line().is_some() && label.starts_with("in ") && speed <= 0.0;
         table.row([
             label.to_owned(),

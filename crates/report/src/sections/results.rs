@@ -384,8 +384,8 @@ impl Page<'_> {
         }
         let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
         chosen.shared(&mut table, &rows::IMPACT_MOMENT_IMPULSE);
-        // As many digits as the case gives for the coefficient, but at most four decimals, as that of a curve
-        // has no end.
+        // As many digits as the case gives for the coefficient, but at most four decimals, because that of a
+        // curve has no end.
         if let Some(e) = exchange.restitution {
             let e = (e * 1e4).round() / 1e4 + 0.0;
             chosen.shared_with(&mut table, &rows::IMPACT_RESTITUTION, |_| e.to_string());
