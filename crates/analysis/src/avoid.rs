@@ -992,7 +992,8 @@ pub fn obstacle_name(case: &Case, index: usize) -> String {
 fn no_speed(vehicle: VehicleId) -> Faults {
     let reason = format!("nothing in the case gives the speed of [vehicle{vehicle}]");
     let advice = format!(
-        "give `speed` in [avoid], for the reaction demand, or `speed` in [vehicle{vehicle}], for the impact"
+        "give `speed` in [avoid], the speed at the reaction demand, or `speed` in [vehicle{vehicle}], the \
+         speed at the impact"
     );
     Fault::refused("avoid", reason, advice).into()
 }

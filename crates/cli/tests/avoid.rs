@@ -240,7 +240,7 @@ fn the_report_shows_all_that_it_should() {
             "stops before the place",
             "Probability",
             "Davis 2003",
-            "says nothing of guilt",
+            "says nothing about guilt",
             "Convention of the swell",
             "path-time",
             "doubtful for pedestrians",

@@ -299,12 +299,12 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         UnusedReason::NoEnergy => [
             "no_energy",
             "the crush of both vehicles absorbed no energy, and no speed follows from zero",
-            "depths or an EES above zero; crush = \"none\" where there is no damage",
+            "depths or an EES above zero; crush = \"none\" if there is no damage",
         ],
         UnusedReason::NoCrush => [
             "no_crush",
             "the crush of the vehicle that struck the object is not known",
-            "the crush of that vehicle, too; crush = \"none\" where it has no damage",
+            "the crush of that vehicle, too; crush = \"none\" if it has no damage",
         ],
         UnusedReason::NoDirection => [
             "no_direction",

@@ -95,7 +95,7 @@ fn of_estimate(refusal: &NoDraws) -> String {
         }
         NoDraws::Ended { .. } => "the run was ended before it had an answer".to_owned(),
         NoDraws::NotALikelihood { .. } | NoDraws::NotFinite { .. } => {
-            "a number of the case leads to a collision that cannot be computed; check the units, and make the \
+            "a number of the case makes a collision that cannot be computed; check the units, and make the \
              widest ranges narrower"
                 .to_owned()
         }

@@ -171,13 +171,14 @@ pub enum DrawingError {
     NoDamage,
     /// No speed was sought.
     #[error(
-        "there is no reconciliation to draw: that is the work of the impact over the speed sought, and the case has no [reconstruct] table"
+        "there is no reconciliation to draw: it shows the work of the impact over the unknown speed, and the \
+         case has no [reconstruct] table"
     )]
     NoReconciliation,
     /// The speeds follow from how the vehicles left the impact.
     #[error(
-        "there is no reconciliation to draw: that is the work of the impact over one speed, which the crush energy decides, and \
-         the speeds of this case follow from how the vehicles left the impact"
+        "there is no reconciliation to draw: it shows the work of the impact over one speed that the crush \
+         energy decides, and the speeds of this case follow from how the vehicles left the impact"
     )]
     ByMomentum,
     /// No vehicle is followed to rest.

@@ -260,9 +260,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*found)
         ),
         Warning::CategoryEnergy { of, share } => format!(
-            "the stiffness of {} is that of a category: crush energies from such a stiffness were on \
-             average {} % of what recorders show, and this answer does not correct them, so its speeds \
-             and ΔV are probably too low; `deltav estimate` corrects them",
+            "the stiffness of {} is from a category: crush energies from such a stiffness were on average {} % \
+             of what recorders show, and this answer does not correct them, so its speeds and ΔV are probably \
+             too low; `deltav estimate` corrects them",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",

@@ -562,9 +562,9 @@ class _Analysis(_Document):
     tangential_share: float
     """(–) share of the tangential work, where the energy basis is such a share."""
     warnings: tuple[CaseWarning, ...]
-    """What speaks against the answer."""
+    """Objections to the answer."""
     solution_warnings: tuple[CaseWarning, ...]
-    """What speaks against the exact solution, where all the evidence was weighed."""
+    """Objections to the exact solution, if all the evidence was weighed."""
     checks: tuple[Check, ...]
     """The consistency checks."""
     found: Found | Any
@@ -1440,7 +1440,7 @@ class AvoidanceAnswer(Record):
     intervals: AvoidanceIntervals | None
     """None if nothing is uncertain."""
     warnings: tuple[str, ...]
-    """What speaks against the inputs, in sentences."""
+    """Objections to the inputs, as sentences."""
 
 
 class _Avoidance(_Document):

@@ -63,7 +63,8 @@ pub(crate) fn histogram_picture(
     Some(HistogramPicture {
         subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),
         description: format!(
-            "{name}: {samples}, in {} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
+            "{name}: {samples}, in {} classes; the fullest has {} % of the samples. Ends of the 95 % interval \
+             and central value:",
             Classes::Fine.count(),
             number(most, 1)
         ),

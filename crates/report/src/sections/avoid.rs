@@ -285,7 +285,7 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
             format!("Vehicle {other} faced vehicle {vehicle} on nearly the same line. If it was moving,")
         }
         (Along::Oncoming, false) => {
-            format!("Vehicle {other} came towards vehicle {vehicle}, only {angle} off its line, so")
+            format!("Vehicle {other} approached vehicle {vehicle}, only {angle} off its line, so")
         }
     };
     let errs = match off.along {
@@ -345,7 +345,7 @@ fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
         return Vec::new();
     }
     vec![format!(
-        "The speed is that of `deltav {command}`, whose report warns: {}. Read it before you use the speed.",
+        "The speed is from `deltav {command}`, whose report warns: {}. Read it before you use the speed.",
         codes.join(", ")
     )]
 }
@@ -1105,9 +1105,9 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
     table.note(format!(
-        "The share of {} samples of all that is uncertain without a collision once the speed is lowered to the \
-         limit. With all else kept, it is that of Davis 2003. ± is the sampling error. The demand was {} to {} \
-         and {} to {} before the impact (95 %).",
+        "The share without a collision, of {} samples of all that is uncertain, once the speed is lowered to \
+         the limit. With all else kept, it is the probability of Davis 2003. ± is the sampling error. The \
+         demand was {} to {} and {} to {} before the impact (95 %).",
         grouped(chance.possible),
         units.format(Measure::Way, chance.distance.low),
         units.format(Measure::Way, chance.distance.high),

@@ -122,7 +122,7 @@ pub(super) fn missed(keys: &[String], certain: &[String]) -> String {
     let limits = if certain.is_empty() {
         String::new()
     } else {
-        format!(" Nothing outweighs {}, which counts as certain: check it, too.", quoted(certain, " and "))
+        format!(" Nothing outweighs what counts as certain ({}): check that, too.", quoted(certain, " and "))
     };
     format!(
         "Even the nearest collisions miss {} by more than {MISSED} standard deviations. Check what was \

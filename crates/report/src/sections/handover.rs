@@ -141,7 +141,7 @@ pub fn handover(
         page.part("Sensitivity", super::sensitivity::sensitivity(case, sensitivity, units));
     }
     if !of_solution.is_empty() {
-        page.heading("What speaks against the exact solution");
+        page.heading("Objections to the exact solution");
         page.push(warnings::block(&of_solution, units));
     }
     page.heading(WARNINGS);

@@ -76,7 +76,7 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
                 Basis::TangentialShare(_) => format!(", which equals {}", basis::work(analysis.basis)),
             };
             format!(
-                "The headings differ by {angle}, within {}° of one line, where momentum alone does not give both \
+                "The headings differ by {angle}, within {}° of one line, so momentum alone does not give both \
                  speeds. They follow from momentum along that line and {left}, and from the crush energy, \
                  {energy} (theory 10){stands_for}. {pairs}.",
                 number(COLLINEAR.to_degrees(), 0)
@@ -188,7 +188,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
         note.push_str(if both.one_velocity {
             " The case gives one velocity for both vehicles and no yaw rate: they left as one body that did not turn."
         } else if both.implied.is_yaw_known {
-            " The restitution is that of the motions at C: of the velocities, and of the yaw rates that are known."
+            " The restitution is that of the motions at C, from the velocities and the known yaw rates."
         } else {
             " No yaw rate after the impact is known, so the restitution is that after the impulse at C, under which both \
              vehicles are free to turn."

@@ -106,7 +106,7 @@ fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
         .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
         .filter(|(_, time)| *time < 0.0)
-        .map(|(id, time)| format!("the last speed of vehicle {id} is that of {} s", number(time, 2)))
+        .map(|(id, time)| format!("the last speed of vehicle {id} is from {} s", number(time, 2)))
         .collect();
     let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
     format!(
@@ -235,7 +235,7 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
     for LeftTable { headings, reason } in &table.left {
         let headings: Vec<String> =
             headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
-        rows.note(format!("Not read: {}, as {reason}.", headings.join(", ")));
+        rows.note(format!("Not read: {}, because {reason}.", headings.join(", ")));
     }
     page.push(rows);
     if table.counted_down {
@@ -594,7 +594,7 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let told = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
     let (Some(at), Some(told)) = (found.recorder.at, told) else {
-        return "ΔV is at the place of the recorder: with `yaw_rate` it is converted to the centre of gravity."
+        return "ΔV applies at the place of the recorder: with `yaw_rate` it is converted to the centre of gravity."
             .to_owned();
     };
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
@@ -615,8 +615,8 @@ fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
         format!("ΔV is {bound}{}", parts.join(" and "))
     };
     format!(
-        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
-         impact less that before).",
+        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate \
+         after the impact minus that before).",
         sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
         sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
     )

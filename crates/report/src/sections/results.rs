@@ -85,7 +85,7 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     }
     page.document.tables(checks::table(analysis, units));
     if !of_solution.is_empty() {
-        page.document.heading("What speaks against the exact solution");
+        page.document.heading("Objections to the exact solution");
         page.document.push(warnings::block(&of_solution, units));
     }
     if headline.is_exact() || !of_case.is_empty() {

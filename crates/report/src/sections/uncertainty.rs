@@ -308,7 +308,7 @@ impl<'a> Page<'a> {
         }
         self.document.push(table);
         self.document.paragraph(
-            "An interval includes the errors by the ranges below. It does not include those of the numbers \
+            "An interval includes the errors from the ranges below. It does not include those of the numbers \
              taken as exact, which are also listed below, nor the error of the method itself.",
         );
         self.turned();
@@ -469,10 +469,9 @@ impl<'a> Page<'a> {
         }
         self.document.push(table);
         self.document.paragraph(format!(
-            "First: the share of the variance that would vanish if this input alone were known exactly. \
-             Total: the share that would remain if all others were. Saltelli's \
-             sampling with Jansen's estimators: {} in {}, of which {} have an answer throughout and are \
-             used.",
+            "First: the share of the variance that would vanish if this input alone were known exactly. Total: \
+             the share that would remain if all others were. Saltelli's sampling with Jansen's estimators: {} \
+             in {}; {} of these have an answer throughout and are used.",
             counted(indices.evaluations(), "evaluation"),
             counted(indices.rows(), "row"),
             grouped(indices.used())
