@@ -268,8 +268,8 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
                 work => format!(" and {} that of the moment impulse", energy(work)),
             };
             format!(
-                "the coefficients create energy: the energy loss would be {}: {} is the work of the normal \
-                 impulse, {} that of the tangential impulse{of_moment}; check that the impulse ratio has the \
+                "the coefficients create energy: the energy loss would be {} ({} is the work of the normal \
+                 impulse, {} that of the tangential impulse{of_moment}); check that the impulse ratio has the \
                  sign that opposes the sliding, and lower its size or the restitution",
                 energy(*loss),
                 energy(*normal_work),

@@ -506,7 +506,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
             GivenWayOut::Outlines => by_outlines = found.scene.clears,
         }
         match speed {
-            Some(speed) => row("speed over that distance", "avoid.clear.speed", speed),
+            Some(speed) => row("speed to clear zone", "avoid.clear.speed", speed),
             None => goes_on = true,
         }
     }

@@ -106,7 +106,7 @@ fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
         .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
         .filter(|(_, time)| *time < 0.0)
-        .map(|(id, time)| format!("the last speed of vehicle {id} is from {} s", number(time, 2)))
+        .map(|(id, time)| format!("the last speed of vehicle {id} is at {} s", number(time, 2)))
         .collect();
     let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
     format!(
@@ -309,8 +309,9 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
             };
             let share = number(100.0 * fall.probability, 0);
             page.paragraph(format!(
-                "The last speed is {} below that of {} s, a deceleration of {} g. Few tyres slow a vehicle by more than 1 g, and none by \
-                 more than {} g. {why} The earlier speed has a weight of {share} %, the last one the rest.",
+                "The last speed is {} below that at {} s, a deceleration of {} g. Few tyres slow a vehicle by \
+                 more than 1 g, and none by more than {} g. {why} The earlier speed has a weight of {share} %, \
+                 the last one the rest.",
                 units.format(Measure::RoadSpeed, fall.speed - speed.stored),
                 number(fall.time, 2),
                 number(fall.deceleration / STANDARD_GRAVITY, 2),
@@ -477,7 +478,9 @@ fn brake(found: &VehicleReading) -> String {
          half second, and, if still off, with the same probability in each further half second, at any instant of it."
     );
     if samples.iter().all(|one| one.brake.is_none()) {
-        return format!("No sample shows the brake: it is taken to be on or off with 50 % each. {comes_on}");
+        return format!(
+            "No sample shows the brake: it is taken to be on with a probability of 50 %. {comes_on}"
+        );
     }
     format!(
         "The brake is as the samples show, and changes at any instant between two that differ. {comes_on}"
@@ -492,7 +495,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
         recognised(page, file, &format!("{}.pulse", found.of_impact.key(id)), &given.source, table);
     }
     if found.spans.is_empty() {
-        page.paragraph("The pulse has no impact: ΔV changes nowhere by more than 0.8 km/h in 20 ms.");
+        page.paragraph("The pulse has no impact: ΔV never changes by more than 0.8 km/h in 20 ms.");
         return;
     }
     let unit = units.name(Measure::RoadSpeed);
