@@ -26,7 +26,7 @@ const LEAST_DIFFERENCE: f64 = 5.0 / 3.6;
 /// (m/s) rounding of a speed at its limit, which is no contradiction.
 const SPEED_ROUNDING: f64 = 1e-6;
 
-/// The kinds of evidence that an answer uses, so that it is neither listed as unused nor compared with the
+/// The kinds of evidence that an answer uses: these are neither listed as unused nor compared with the
 /// answer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Used {
@@ -187,8 +187,8 @@ fn delta_v_limit(recorder: &Recorder, size: f64) -> f64 {
     (CONTRADICTS * error * size).max(LEAST_DIFFERENCE)
 }
 
-/// Warns where a record without the end of the impact has more of ΔV than was `found` (m/s) for it, by more
-/// than a `limit` (m/s) on a ΔV of its size.
+/// Warns if a record without the end of the impact has more ΔV than was `found` (m/s) for it, by more than a
+/// `limit` (m/s) on a ΔV of its size.
 fn below_record(
     case: &Case,
     vehicle: VehicleId,
@@ -206,7 +206,7 @@ fn below_record(
     })
 }
 
-/// The same for an estimate, of which `greatest` gives the upper end of the 95 % interval of ΔV (m/s).
+/// The same for an estimate; `greatest` gives the upper end of its 95 % interval of ΔV (m/s).
 pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
     let case = with_records_of_impact(case).case;
     let of = |id: VehicleId| below_record(&case, id, |_| greatest(id), |_, _| LEAST_DIFFERENCE);

@@ -56,11 +56,11 @@ use crate::warning::{self, Warning};
 /// How to ask whether a collision was avoidable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AvoidPlan {
-    /// Number of samples, where ranges make the answer uncertain.
+    /// Number of samples, if ranges make the answer uncertain.
     pub samples: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
-    /// Whether the exact solution gives a speed that is sought, even where there is more evidence.
+    /// Whether the exact solution gives an unknown speed, even if there is more evidence.
     pub exact: bool,
 }
 
@@ -87,7 +87,7 @@ pub enum AvoidStage {
 /// Whether a collision was avoidable.
 #[derive(Clone, Debug)]
 pub struct Avoidance {
-    /// The vehicle whose driver is asked about.
+    /// The vehicle whose driver is judged.
     pub vehicle: VehicleId,
     /// Where its speed comes from.
     pub speed_from: SpeedSource,
@@ -95,30 +95,29 @@ pub struct Avoidance {
     pub scene: AvoidScene,
     /// The actual run first, then the others.
     pub runs: Vec<AvoidRun>,
-    /// The limit with one of the other two, where these can differ: the rest of all combinations.
+    /// The limit with one of the other two, if these can differ: the rest of all combinations.
     pub more_runs: Vec<AvoidRun>,
     /// What would have been enough.
     pub enough: Enough,
     /// How the other party was hidden, if it was.
     pub hiding: Option<Hiding>,
-    /// The ways of both in the scene, if the case tells them.
+    /// The paths of both in the scene, if the case gives them.
     ways: Option<Ways>,
     /// How probable it is; `None` if nothing is uncertain.
     pub chance: Option<AvoidChance>,
     /// Why the evidence for the speed gives no answer, and so no probability.
     pub speed_doubt: Option<NoEstimate>,
-    /// What the solution that gives the speed warns of; without one, what speaks against the marks.
+    /// The warnings of the solution that gives the speed; without one, the objections to the marks.
     pub speed_warnings: Vec<SeenWarning>,
-    /// How far from one line both vehicles moved, where that is so little that the place of the impact, which
-    /// is taken as fixed, is not, or so much that the motion along one line is an approximation.
+    /// How far from one line both vehicles moved, if so little that the place of the impact is not fixed
+    /// although it is taken so, or so much that the motion along one line is an approximation.
     pub nearly_along: Option<OffLine>,
-    /// (m/s) speeds of the other vehicle at the impact that contradict each other: by the demand, and by the
-    /// rest of the case.
+    /// (m/s) contradictory speeds of the other vehicle at the impact: by the demand, and by the rest of the
+    /// case.
     pub other_speeds: Option<[f64; 2]>,
-    /// (m/s) speeds of the vehicle at the impact that contradict each other: that of the answer, and that of
-    /// its own recorder.
+    /// (m/s) contradictory speeds of the vehicle at the impact: by the answer, and by its own recorder.
     pub own_speeds: Option<[f64; 2]>,
-    /// The speed that the rest of the case tells, if `[avoid]` has none.
+    /// The speed by the rest of the case, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
 
@@ -176,7 +175,7 @@ pub struct AvoidRun {
     pub arrival: Option<f64>,
     /// (m) how near it comes to a vehicle on the same line that it does not reach.
     pub gap: Option<f64>,
-    /// Whether it comes after the other party has left the danger zone; `None` if that is not asked.
+    /// Whether it arrives after the other party has left the danger zone; `None` without that question.
     pub is_late_enough: Option<bool>,
     /// (m/s) ΔV of both vehicles from an impact with that speed; `None` without an impact in the case.
     pub delta_v: Option<[f64; 2]>,
@@ -202,7 +201,7 @@ pub struct Enough {
     /// (m/s) the speed.
     pub speed: f64,
     /// (m/s²) at the speed driven and with the reaction time of `[avoid]`, the deceleration; zero if the
-    /// vehicle comes late enough without braking, `None` if none is.
+    /// vehicle arrives late enough without braking, `None` if none is enough.
     pub deceleration: Option<f64>,
     /// (s) at the speed driven and with the deceleration of `[avoid]`, the longest reaction time; `None` if
     /// none is.
@@ -214,7 +213,7 @@ pub struct Enough {
 }
 
 impl Avoidance {
-    /// The other vehicle, if it moves along the line of the one that is asked about.
+    /// The other vehicle, if it moves along the line of the judged one.
     #[must_use]
     pub fn on_line(&self) -> Option<VehicleId> {
         self.scene.same_line.as_ref().map(|_| self.vehicle.other())
@@ -241,8 +240,8 @@ impl Avoidance {
         estimated.map_or(&[], |estimated| &estimated.pieces)
     }
 
-    /// (m/s) its speed at the impact by the exact solution that leads `reconstruct`, where the answer takes
-    /// the median of all evidence, which tells how certain it is.
+    /// (m/s) its speed at the impact by the exact solution that is the headline of `reconstruct`, if the
+    /// answer takes the median of all evidence, which shows how certain it is.
     #[must_use]
     pub fn exact_speed(&self) -> Option<f64> {
         self.told.as_ref()?.exact
@@ -256,7 +255,7 @@ impl Avoidance {
         (!speed.is_told()).then_some(speed)
     }
 
-    /// (–) probability that the other vehicle was stationary, where its motion counts and the evidence leaves
+    /// (–) probability that the other vehicle was stationary, if its motion counts and the evidence leaves
     /// that open: the central values are then those of a vehicle that moved.
     #[must_use]
     pub fn other_may_have_stood(&self) -> Option<f64> {
@@ -267,16 +266,16 @@ impl Avoidance {
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
-    /// (s) before the impact, in the coordinates of the scene; `None` if the case does not tell how both
-    /// came.
+    /// (s) before the impact, in the coordinates of the scene; `None` if the case does not say how both
+    /// approached.
     #[must_use]
     pub fn eye_and_point(&self, time: f64) -> Option<[[f64; 2]; 2]> {
         let ways = self.ways.as_ref()?;
         Some(ways.of_scene(&self.scene, time).map(|at| [at.x, at.y]))
     }
 
-    /// The answer for a case that differs in the numbers of `[avoid]` alone: the speed that the rest tells is
-    /// not sought anew. Without a plan, nothing is sampled, and it has no probability.
+    /// The answer for a case that differs only in the numbers of `[avoid]`: the speed by the rest of the case
+    /// is not solved again. Without a plan, nothing is sampled, and it has no probability.
     ///
     /// # Errors
     /// Those of [`avoid`].
@@ -287,7 +286,7 @@ impl Avoidance {
 }
 
 /// Whether the collision was avoidable, at the central values and so without a probability; `None` if the
-/// speed is sought, which takes its time.
+/// speed must be solved for, which is slow.
 ///
 /// # Errors
 /// [`Failure`] if the case lacks something or contradicts itself.
@@ -305,13 +304,13 @@ pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
 /// Whether the collision of a case was avoidable.
 ///
 /// # Errors
-/// [`Failure`] if the case lacks something or contradicts itself, or if its speed is sought and not found.
+/// [`Failure`] if the case lacks something or contradicts itself, or if its unknown speed cannot be found.
 pub fn avoid(
     case: &Case,
     plan: &AvoidPlan,
     progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Avoidance, Failure> {
-    // Of several records of a recorder, that of this impact tells how the vehicle came.
+    // Of several records of a recorder, that of this impact shows how the vehicle approached.
     let given = with_records_of_impact(case);
     let form = given.case.avoidance()?;
     let told = match form.speed {
@@ -336,7 +335,7 @@ fn found(
         (_, Some(told)) => told.from,
     };
     let other = told.as_ref().and_then(|told| told.other);
-    // Where nothing else tells the speed of the other vehicle, its own recorder does.
+    // If nothing else gives the speed of the other vehicle, its own recorder does.
     let lacks_other = form.lacks_other_speed() && other.is_none();
     let by_recorder = if lacks_other { RecordedSpeed::of(case, form.vehicle.other()) } else { None };
     let other = other.or_else(|| Some(by_recorder.as_ref()?.quantile(0.5)));
@@ -362,7 +361,7 @@ fn found(
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let holds_the_eye = |index| {
         let name = obstacle_name(case, index);
-        let what = "the way of the driver's eye to the impact leads through";
+        let what = "the path of the driver's eye to the impact runs through";
         of_obstacle(index, format!("{what} {name}, which would hide everything"))
     };
     let hiding = hiding.transpose().map_err(holds_the_eye)?;
@@ -404,7 +403,7 @@ fn found(
     let own_recorder = if is_given { RecordedSpeed::of(case, form.vehicle) } else { None };
     let own_speeds = own_recorder.and_then(|recorded| recorded.against(scene.at_impact));
     let vehicle = form.vehicle;
-    // Without obstacles, the ways are for the plan alone.
+    // Without obstacles, only the plan needs the paths.
     let ways = ways.or_else(|| ways_of(&case.avoid_plan()?).ok());
     Ok(Avoidance {
         vehicle,
@@ -425,7 +424,7 @@ fn found(
     })
 }
 
-/// The speed at the impact that the rest of the case tells.
+/// The speed at the impact by the rest of the case.
 #[derive(Debug)]
 struct Told {
     from: SpeedSource,
@@ -433,8 +432,8 @@ struct Told {
     speed: f64,
     /// (m/s) of the other one, if that is found too.
     other: Option<f64>,
-    /// (m/s) that of the vehicle by the exact solution, where it would lead, and `speed` is the median of all
-    /// evidence.
+    /// (m/s) that of the vehicle by the exact solution, if it would be the headline and `speed` is the median
+    /// of all evidence.
     exact: Option<f64>,
     estimated: Option<Box<Estimated>>,
     /// What that solution warns of.
@@ -508,7 +507,7 @@ impl Told {
         }
     }
 
-    /// Whether the rest of the case has what a speed takes, as far as that shows before it is solved.
+    /// Whether the rest of the case has what a speed needs, as far as that shows before solving.
     fn can_be(case: &Case, vehicle: VehicleId) -> Result<(), Failure> {
         let alone = &*case.without_avoid();
         let is_posed = match alone.reconstruct {
@@ -538,7 +537,7 @@ impl Told {
         Some(Self { sampled, ..Self::at(SpeedSource::Recorder, found.quantile(0.5)) })
     }
 
-    /// A speed (m/s) of which nothing else is known.
+    /// A speed (m/s) about which nothing else is known.
     fn at(from: SpeedSource, speed: f64) -> Self {
         let (other, exact, estimated, warnings, sampled) = (None, None, None, Vec::new(), None);
         Self { from, speed, other, exact, estimated, warnings, sampled }
@@ -548,8 +547,8 @@ impl Told {
         self.estimated.as_ref()?.no_answer()
     }
 
-    /// (–) ΔV of each vehicle by all evidence, against that (m/s) of what happened as it was solved again
-    /// with the central value of everything else.
+    /// (–) ΔV of each vehicle by all evidence, as a multiple of that (m/s) of what happened, solved again
+    /// with the central values of everything else.
     fn shares_of(&self, solved: Option<[f64; 2]>) -> [f64; 2] {
         VehicleId::ALL.map(|id| {
             let solved = solved.map(|solved| solved[id.index()]).filter(|solved| *solved > 0.0);
@@ -603,7 +602,7 @@ fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
     case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(case.ground_friction())
 }
 
-/// The same where the case has no impact, whose evidence would tell it better.
+/// The same if the case has no impact, whose evidence would give it better.
 fn speed_by_recorder_alone(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
     let is_alone = case.impact.is_none() && case.reconstruct.is_none();
     if is_alone { speed_by_recorder(case, vehicle) } else { None }
@@ -766,7 +765,7 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(Option<Meeting>) -> Option<[f64; 2]
 /// (–) rounding of a time that is equal to another.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether the other vehicle stood, or there is none.
+/// Whether the other vehicle was stationary, or there is none.
 fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
     let id = form.vehicle.other();
     let other = &case.vehicles[id.index()];
@@ -802,15 +801,15 @@ fn touches_ahead(vehicle: &GivenVehicle) -> Option<bool> {
 /// than across: half of that is lost, sin 30°, at most.
 pub const NEARLY_ALONG: f64 = FRAC_PI_6;
 
-/// (rad) 5°. Where the lines of both enclose more, but count as one, the answer says so.
+/// (rad) 5°. If the lines of both enclose more, but count as one, the answer says so.
 const ALONG: f64 = 0.5 * COLLINEAR;
 
-/// Speeds at the impact that differ by this share of the greater one contradict each other, as few ranges
-/// are wider.
+/// Speeds at the impact that differ by this share of the greater one contradict each other, because few
+/// ranges are wider.
 const CONTRADICTS: f64 = 0.25;
 
 /// (m/s) the median speed of a vehicle if it moved, where the evidence leaves open whether it did: the median
-/// of all draws may be that of neither case.
+/// of all draws may fit neither case.
 fn median_if_it_moved(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> {
     let stood = estimated.stood[vehicle.index()]?.after.value;
     let draws = estimated.draws(SPEED.of_vehicle(vehicle)).filter(|_| OPEN.contains(&stood))?;
@@ -819,14 +818,14 @@ fn median_if_it_moved(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> 
     (!moving.is_empty()).then(|| order_statistic(&moving, 0.5 * moving.len() as f64))
 }
 
-/// (–) probabilities that leave open whether a vehicle stood.
+/// (–) probabilities that leave open whether a vehicle was stationary.
 const OPEN: RangeInclusive<f64> = 0.05..=0.95;
 
 /// (–) probability with which a recorded speed is below its upper bound, and above the lower one: three
 /// standard deviations.
 const SURELY: f64 = 0.998_65;
 
-/// (m/s) 5 km/h: what nobody measures.
+/// (m/s) 5 km/h: less than anybody measures.
 const NEGLIGIBLE: f64 = 5.0 / 3.6;
 
 /// (m/s) the speeds of the other vehicle at the impact by the demand and by the rest of the case, if they
@@ -845,8 +844,8 @@ fn other_speeds(
     (apart > NEGLIGIBLE.max(CONTRADICTS * by_demand.max(known))).then_some([by_demand, known])
 }
 
-/// (m/s) ΔV of both vehicles, if the vehicle meets the other one so, which comes as fast as it did, unless
-/// the meeting says how fast it then is; zero without a meeting. `None` without an impact in the case.
+/// (m/s) ΔV of both vehicles in such a meeting, with the other one as fast as it was, unless the meeting
+/// gives its speed; zero without a meeting. `None` without an impact in the case.
 fn delta_v(
     case: &Case,
     vehicle: VehicleId,
@@ -880,7 +879,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 DemandForm::Sight => (
                     "avoid.demand.sight",
                     format!("{} s", rounded(time)),
-                    "the moment at which the view became free".to_owned(),
+                    "the moment when the view became free".to_owned(),
                 ),
                 DemandForm::Other(other) => {
                     let taken = other.time().unwrap_or_default();
@@ -898,7 +897,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::SkidTooLong => Fault::refused(
             format!("{table}.before.skid"),
             "from the speed of [avoid], this skid ends before the impact",
-            "check its length and friction; or leave `speed` out of [avoid], and give that at the impact",
+            "check its length and friction; or leave `speed` out of [avoid], and give the speed at the impact",
         ),
         Unposed::SetsOutLater { distance } => {
             let (key, given) = match &form.demand {
@@ -912,7 +911,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             let reason = format!(
                 "the phases begin with a stop {set_out} before the impact, and the reaction demand is {given} before it"
             );
-            let advice = "give the demand by `time`, or a distance from which the vehicle came moving";
+            let advice = "give the demand by `time`, or a distance at which the vehicle was already moving";
             Fault::refused(key, reason, advice)
         }
         Unposed::Phases(refusal) => Fault::refused(
@@ -921,8 +920,8 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 _ => format!("{table}.before.phase"),
             },
             format!("the vehicle cannot have moved like this: {refusal}"),
-            "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
-             brakes",
+            "check the numbers of the phases against the speed at the impact; `acceleration` is negative while \
+             the vehicle brakes",
         ),
         Unposed::OtherPhases(refusal) => Fault::refused(
             format!("vehicle{}.before", form.vehicle.other()),
@@ -962,19 +961,19 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         ),
         Unposed::OtherUnknown => Fault::refused(
             "avoid.sight.other_speed",
-            "nothing tells how fast the other party moves",
+            "nothing says how fast the other party moves",
             "give `other_speed` in [avoid.sight], as in other_speed = \"1.5 m/s\"",
         ),
         Unposed::OtherStands => Fault::refused(
             "avoid.clear",
-            "the other vehicle stood at the impact, so that it never clears the danger zone",
+            "the other vehicle was stationary at the impact, so it never clears the danger zone",
             "leave `clear` out",
         ),
         Unposed::NeverHidden => Fault::refused(
             "avoid.demand.sight",
             format!(
-                "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so that the demand cannot be the moment at \
-                 which it comes into sight"
+                "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so the demand \
+                 cannot be the moment when it comes into sight"
             ),
             "check the corners of [[avoid.obstacle]] and the directions in [avoid.sight], or give `demand` by distance or time",
         ),
@@ -1003,9 +1002,10 @@ pub fn obstacle_name(case: &Case, index: usize) -> String {
 }
 
 fn no_speed(vehicle: VehicleId) -> Faults {
-    let reason = format!("nothing in the case tells the speed of [vehicle{vehicle}]");
+    let reason = format!("nothing in the case gives the speed of [vehicle{vehicle}]");
     let advice = format!(
-        "give `speed` in [avoid], that at the reaction demand, or `speed` in [vehicle{vehicle}], that at the impact"
+        "give `speed` in [avoid], the speed at the reaction demand, or `speed` in [vehicle{vehicle}], the \
+         speed at the impact"
     );
     Fault::refused("avoid", reason, advice).into()
 }

@@ -411,8 +411,8 @@ fn add_limited(zones: &ZoneColumns, ends: [Quantity<Number>; 2], inputs: &[Lanes
     add::<true>(zones, ends, inputs, energy);
 }
 
-/// (J) sets the crush energy to NaN where the engine refuses the position of the damaged side. The offset
-/// along the side changes nothing.
+/// (J) sets the crush energy to NaN if the engine refuses the position of the damaged side. The offset along
+/// the side changes nothing.
 #[inline(always)]
 fn refuse_face(vehicle: &VehicleForm<'_, Number>, inputs: &[Lanes], energy: &mut Lanes) {
     if let (DamageForm::Measured(crush), Some(body)) = (vehicle.damage, vehicle.body)

@@ -163,12 +163,12 @@ pub struct EstimatedOutput {
     pub output: Output,
     /// Whether it is a speed that the case gives, with its range.
     pub is_given: bool,
-    /// (SI) before the evidence; `None` where that run did not converge.
+    /// (SI) before the evidence; `None` if that run did not converge.
     pub prior: Option<DrawsSummary>,
     /// (SI) after it.
     pub posterior: DrawsSummary,
     /// (SI) after it, if somebody in either vehicle was also known to be seriously hurt; `None` if the prior
-    /// is not that of the field, or if too few draws lead there.
+    /// is not that of the field, or if too few draws are so severe.
     pub if_injured: Option<DrawsSummary>,
 }
 
@@ -372,8 +372,8 @@ impl There<'_> {
         (assumed > 0.0).then(|| Some(Stood { assumed, before, after: stands(self.posterior)? }))?
     }
 
-    /// The results before and after the evidence. Where the prior is that of the field, also those if
-    /// somebody was seriously hurt.
+    /// The results before and after the evidence. If the prior is that of the field, also those if somebody
+    /// was seriously hurt.
     fn outputs(&self, impacts: &CaseImpacts, is_field: bool) -> Vec<EstimatedOutput> {
         let Self { posterior, before } = self;
         let injured = is_field.then(|| of_injured(impacts, posterior)).flatten();
@@ -443,7 +443,7 @@ fn missed(model: &CollisionModel<CaseImpacts>, posterior: &Posterior) -> Vec<Str
 }
 
 /// Weights that turn the draws into those of a collision in which somebody was seriously hurt; `None` if too
-/// few of them lead there.
+/// few of them are so severe.
 fn of_injured(impacts: &CaseImpacts, posterior: &Posterior) -> Option<Weights> {
     let delta_v = VehicleId::ALL.map(|id| impacts.draws(posterior, DELTA_V.of_vehicle(id)));
     let risk = |draw: usize| {

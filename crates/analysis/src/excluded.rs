@@ -29,7 +29,7 @@ impl std::fmt::Display for Impossible {
             _ if self.together => f.write_str("the evidence excludes every collision, though no two pieces of it do"),
             _ if self.exclusion.possible > 0 => write!(
                 f,
-                "the evidence excludes nearly every collision: {} of {} that were tried are possible",
+                "the evidence excludes nearly every collision: {} of {} tried are possible",
                 self.exclusion.possible, self.exclusion.drawn
             ),
             _ => f.write_str(

@@ -358,7 +358,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
                 return Ok(Vec::new());
             }
             // α = PDOF − PDOF of a square hit: an α in the file thus determines how the damaged surface is
-            // oriented, which does not turn with the force. A given arm stays, as no point is known from
+            // oriented, which does not turn with the force. A given arm stays, because no point is known from
             // which to compute it for another direction.
             damage.oblique_angle = damage.oblique_angle.map(turned);
         }
@@ -374,7 +374,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
 }
 
 impl SweepRow {
-    /// The row of one correction for oblique forces; none where a force does not push on its damaged side.
+    /// The row of one correction for oblique forces; none if a force does not push on its damaged side.
     #[must_use]
     pub fn corrected(&self, correction: ObliqueCorrection) -> Option<[f64; 2]> {
         let mut rows = self.crash3.corrections.iter();

@@ -125,7 +125,7 @@ impl UncertainOutput {
 }
 
 /// (SI) a typical large value of an output: a right angle or so, the closing speed, the energy before the
-/// impact; of a path to rest its length, its time and the speed at its start. 0 where any spread counts.
+/// impact; of a path to rest its length, its time and the speed at its start. 0 if any spread counts.
 fn scale(output: Output, nominal: &Analysis) -> f64 {
     let exchange = nominal.exchange();
     let travel = output.vehicle().and_then(|vehicle| nominal.travel[vehicle.index()].as_ref());
@@ -521,7 +521,7 @@ fn no_range(case: &Case) -> Fault {
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
     let advice = format!("its outputs are {}", names.join(", "));
-    Fault::refused("", "the case has none of the outputs that are asked for", advice)
+    Fault::refused("", "the case has none of the outputs requested", advice)
 }
 
 /// The distribution of a shared error.

@@ -36,7 +36,7 @@ fn of_vehicles(
         let damage = subject.damage.as_ref();
         damage.is_some_and(|damage| subject.force.pdof.or(damage.oblique_angle).is_some())
     });
-    // A force can be balanced only where both angles to it are known.
+    // A force can be balanced only if both angles to it are known.
     if directed != [true; 2] {
         for (subject, vehicle) in subjects.iter_mut().zip(&case.vehicles) {
             if vehicle.crush.as_ref().is_some_and(|crush| crush.from_force_balance) {

@@ -18,7 +18,7 @@ pub struct Vehicle<T = f64> {
 }
 
 impl<T: Real> Vehicle<T> {
-    /// (J) the energy where there is no crush: as given, or what a fixed object took.
+    /// (J) the energy without crush: as given, or what a fixed object absorbed.
     fn energy_alone(&self) -> Option<T> {
         self.energy.map(|energy| energy.crush_energy).or(self.subject.deformation_energy)
     }

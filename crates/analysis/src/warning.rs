@@ -29,7 +29,8 @@ use crate::vehicle::{Damage, Vehicle};
 const CONTACT_APART: f64 = 0.3;
 /// (m) how far the contact point may be outside the outline: the roundness of a bumper.
 const OUTLINE_TOLERANCE: f64 = 0.05;
-/// (m) accuracy of the end of a damage, which is a judgement, as the damage fades out into induced damage.
+/// (m) accuracy of the end of a damage, which is a judgement, because the damage fades out into induced
+/// damage.
 const END_TOLERANCE: f64 = 0.1;
 /// (m) how far the contact point may be behind the deepest crush of front or rear: the points of the staged
 /// collisions lie up to 0.51 m behind it (RICSAC 10).
@@ -139,7 +140,7 @@ pub enum Warning {
         /// (–) their average share of the energy that recorders show.
         share: f64,
     },
-    /// The skid marks of a vehicle lead elsewhere than it travelled.
+    /// The skid marks of a vehicle point elsewhere than it travelled.
     SkidDirection {
         /// The vehicle.
         vehicle: VehicleId,
@@ -476,7 +477,7 @@ pub enum Warning {
         /// (J) the energy of G alone.
         energy: f64,
     },
-    /// The vehicle went on past an object that took energy.
+    /// The vehicle passed an object that absorbed energy.
     ObjectPassed {
         /// The vehicle.
         vehicle: VehicleId,
@@ -658,7 +659,7 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     warnings
 }
 
-/// Warns where speeds between two vehicles follow from crush energies by categories of stiffness.
+/// Warns if speeds between two vehicles follow from crush energies by categories of stiffness.
 pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warning> {
     let of = vehicles.each_ref().map(|vehicle| {
         let data = vehicle.subject.damage.as_ref();
@@ -695,7 +696,7 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
 /// nor rebounded from it.
 const KEPT: f64 = 0.5;
 
-/// Warns of a vehicle that neither stopped at an object that took energy nor rebounded from it.
+/// Warns of a vehicle that neither stopped at an object that absorbed energy nor rebounded from it.
 pub(crate) fn of_object(vehicles: &[Vehicle; 2], exchange: &Exchange, warnings: &mut Vec<Warning>) {
     for vehicle in VehicleId::ALL {
         let object = &vehicles[vehicle.other().index()].subject;

@@ -375,7 +375,7 @@ tangential = { ratio = 0.0 }
     assert!(error.contains("hardly depends on the speed before"), "{error}");
     let through = wall.replace("direction = \"180 deg\"", "direction = \"0 deg\"");
     let error = reconstruct(&read(&through)).unwrap_err().to_string();
-    assert!(error.contains("does not lead into the object"), "{error}");
+    assert!(error.contains("does not point into the object"), "{error}");
 }
 
 /// A known speed with crossing paths: one equation is left over, and is a check.

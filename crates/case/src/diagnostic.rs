@@ -148,7 +148,7 @@ fn on_one_line(text: &str) -> String {
     shown(&text.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }
 
-/// The number of the line of a place in bytes, and what stands there before it. A byte order mark does not
+/// The number of the line of a place in bytes, and what is before it on that line. A byte order mark does not
 /// count.
 fn line_before(text: &str, at: usize) -> (usize, &str) {
     let before = &text[..text.floor_char_boundary(at)];

@@ -446,7 +446,7 @@ impl<'t> Editor<'t> {
         let of_sections = self.layout.sections(path).map(|section| {
             let start = self.line_start(section.header.start);
             let mut end = self.end_of(section);
-            // With the blank lines below it, as those above it stay.
+            // With the blank lines below it, because those above it stay.
             while end < section.span.end && self.text[end..self.line_end(end)].trim().is_empty() {
                 end = self.line_end(end);
             }

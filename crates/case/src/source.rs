@@ -121,8 +121,8 @@ impl Source {
     }
 }
 
-/// (bytes) the piece at a place of a text that stands as a string within `span` of the source; `None` if the
-/// string is written with escapes.
+/// (bytes) the piece at a place of a text that is a string within `span` of the source; `None` if the string
+/// is written with escapes.
 pub(crate) fn span_in_text(
     source: &str,
     span: &Range<usize>,

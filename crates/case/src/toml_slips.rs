@@ -141,7 +141,7 @@ pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
     Some(start..next)
 }
 
-/// The brace or bracket around an error, if its own line leaves it open and is not meant to go on.
+/// The brace or bracket around an error, if its own line leaves it open and is not meant to continue.
 pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<Unclosed> {
     if kind == Kind::TooDeep {
         return None;

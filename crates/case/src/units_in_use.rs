@@ -146,7 +146,7 @@ fn key_before(text: &str) -> &str {
     text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default()
 }
 
-/// Rounds to two digits, as an example needs no more.
+/// Rounds to two digits: an example needs no more.
 fn round(number: f64) -> String {
     let digits = format!("{number:.1e}");
     digits.parse().map_or(digits, format_number)

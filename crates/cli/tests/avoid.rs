@@ -240,7 +240,7 @@ fn the_report_shows_all_that_it_should() {
             "stops before the place",
             "Probability",
             "Davis 2003",
-            "says nothing of guilt",
+            "says nothing about guilt",
             "Convention of the swell",
             "path-time",
             "doubtful for pedestrians",
@@ -411,7 +411,7 @@ fn a_sight_that_cannot_be_gets_a_sentence() {
         "demand",
         sight,
         &across,
-        &["driver's eye", "leads through the obstacle \"van\"", "s5.toml:11:1"],
+        &["driver's eye", "runs through the obstacle \"van\"", "s5.toml:11:1"],
     );
     // Far beyond the impact.
     refused(
@@ -424,7 +424,7 @@ fn a_sight_that_cannot_be_gets_a_sentence() {
     let open = format!("[avoid]\n{}\n{}", RIGHT.map(|(_, line)| line).join("\n"), moved("1", "7"));
     let output = deltav(&["avoid", &written("s7.toml", &open)]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(text.contains("The obstacles hide the other party at no time in the 10 s"), "{text}");
+    assert!(text.contains("The obstacles never hide the other party in the 10 s"), "{text}");
     // A skid of 34 m before the view became free, 20.7 m before the impact.
     let skid =
         "[vehicle1]\nspeed = \"5 m/s\"\n[vehicle1.before]\nskid = { length = \"34 m\", friction = 0.7 }\n";
@@ -433,7 +433,7 @@ fn a_sight_that_cannot_be_gets_a_sentence() {
     );
     let output = deltav(&["avoid", &written("s8.toml", &early)]);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(message.contains("which is the moment at which the view became free"), "{message}");
+    assert!(message.contains("which is the moment when the view became free"), "{message}");
 }
 
 #[test]

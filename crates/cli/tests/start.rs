@@ -127,7 +127,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 let exact: &[&str] = if alone || is_weighed { &[] } else { &["--exact"] };
                 let report = printed(&[&[command, name, "--format", written], exact].concat());
                 let told = match (is_weighed, warnings.is_empty()) {
-                    (true, _) => "What speaks against the exact solution",
+                    (true, _) => "Objections to the exact solution",
                     (_, true) => "No warnings.",
                     _ => "category-energy",
                 };

@@ -158,9 +158,9 @@ pub enum ImpactError {
     },
     /// E_L < 0: the coefficients create energy.
     #[error(
-        "the coefficients create energy: the energy loss would be {loss:.6e} J, of which {normal_work:.6e} J is \
-         the work of the normal, {tangential_work:.6e} J that of the tangential impulse{}; check that \
-         the impulse ratio has the sign that opposes the sliding, and lower its size or the restitution",
+        "the coefficients create energy: the energy loss would be {loss:.6e} J ({normal_work:.6e} J is the \
+         work of the normal impulse, {tangential_work:.6e} J that of the tangential impulse{}); check that the \
+         impulse ratio has the sign that opposes the sliding, and lower its size or the restitution",
         of_moment(*moment_work)
     )]
     EnergyCreated {

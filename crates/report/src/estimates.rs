@@ -235,8 +235,8 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             ),
             (true, true) => format!("{energies} are taken as right on average."),
             (false, _) => format!(
-                "{energies} are on average {shown} % of what the impact took, by `crush_bias` of the case; they are \
-                 multiplied by {times}."
+                "{energies} are on average {shown} % of the energy of the impact, by `crush_bias` of the case; \
+                 they are multiplied by {times}."
             ),
         };
         let is_usual = is_default("estimate.crush_error");
@@ -298,13 +298,13 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::NoEnergy => [
             "no_energy",
-            "the crush of both vehicles took no energy, and no speed follows from zero",
-            "depths or an EES above zero; crush = \"none\" where there is no damage",
+            "the crush of both vehicles absorbed no energy, and no speed follows from zero",
+            "depths or an EES above zero; crush = \"none\" if there is no damage",
         ],
         UnusedReason::NoCrush => [
             "no_crush",
             "the crush of the vehicle that struck the object is not known",
-            "the crush of that vehicle, too; crush = \"none\" where it has no damage",
+            "the crush of that vehicle, too; crush = \"none\" if it has no damage",
         ],
         UnusedReason::NoDirection => [
             "no_direction",
@@ -333,7 +333,7 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::OnlyLateral => [
             "only_lateral",
-            "only the lateral part of ΔV is known, whose error alone was never tested",
+            "only the lateral part of ΔV is known, and its error alone was never tested",
             "the longitudinal part as well",
         ],
         UnusedReason::OtherImpact => [
@@ -354,7 +354,8 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::PdofsDiffer => [
             "pdofs_differ",
-            "the two PDOFs cannot belong to one force (see the warning); for each collision that is drawn, the PDOF nearer to it counts",
+            "the two PDOFs cannot belong to one force (see the warning); for each collision drawn, the PDOF \
+             nearer to it counts",
             "the correct PDOF or heading; one of them is wrong",
         ],
         UnusedReason::Wreck => [
@@ -377,7 +378,7 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
     match assumed {
         Assumed::Heading | Assumed::CrushPlane | Assumed::Contact => "how well it is usually known; chosen",
         Assumed::Mass => SMITH_NOGA,
-        Assumed::Load => "a share of it, as few loads are weighed; chosen",
+        Assumed::Load => "a share of it, because few loads are weighed; chosen",
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
         Assumed::Speed => "before the severity and the weight of the speeds are applied; chosen",
@@ -435,7 +436,7 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
             format!("of {drawn} collisions drawn before the evidence, only {possible} are possible at all")
         }
         SamplerDoubt::EvidenceSpread { .. } => {
-            "independent runs differ in how well the evidence fits, so that a few of them dominate the answer"
+            "independent runs differ in how well the evidence fits, so a few of them dominate the answer"
                 .to_owned()
         }
         SamplerDoubt::Disagreement { r_hat, .. } => {

@@ -63,9 +63,9 @@ fn excluded(impossible: &Impossible) -> String {
     let limits = |piece: &Piece| matches!(piece, Piece::Limits(_));
     let what = match impossible.culprits.as_slice() {
         [one] if limits(one) => {
-            "either no collision with such a speed brings the vehicles together: check its limits, and the headings, \
-             contact points and crush plane of both; or the limits are so close together that no speed that was tried lies between \
-             them: write a speed that is known so well as `speed`, with a range"
+            "either no collision with such a speed brings the vehicles together: check its limits, and the \
+             headings, contact points and crush plane of both; or the limits are so close together that no \
+             speed tried lies between them: if the speed is known that well, write it as `speed`, with a range"
         }
         [_] => "check its value and unit, and give it a larger error",
         [one, other] if limits(one) && limits(other) => {
@@ -77,9 +77,9 @@ fn excluded(impossible: &Impossible) -> String {
             "widen the limits that are stated as certain, and check the headings, contact points and crush plane"
         }
         _ => &format!(
-            "check the headings, the contact points and the crush plane, which is the angle of its normal; a vehicle that \
-             backed into the other has a speed below zero, which is sought only if the case allows it: certain_speed = \
-             {{ at_least = \"{:.0} km/h\", at_most = \"0 km/h\" }}",
+            "check the headings, the contact points and the crush plane, which is the angle of its normal; a \
+             vehicle that backed into the other has a speed below zero, which the case must allow: \
+             certain_speed = {{ at_least = \"{:.0} km/h\", at_most = \"0 km/h\" }}",
             -3.6 * FASTEST_BACK
         ),
     };
@@ -95,7 +95,7 @@ fn of_estimate(refusal: &NoDraws) -> String {
         }
         NoDraws::Ended { .. } => "the run was ended before it had an answer".to_owned(),
         NoDraws::NotALikelihood { .. } | NoDraws::NotFinite { .. } => {
-            "a number of the case leads to a collision that cannot be computed; check the units, and make the \
+            "a number of the case makes a collision that cannot be computed; check the units, and make the \
              widest ranges narrower"
                 .to_owned()
         }
@@ -158,10 +158,9 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
         |[v1, v2]: [f64; 2]| format!("{} of vehicle 1 and {} of vehicle 2", units.speed(v1), units.speed(v2));
     match refusal {
         MomentumError::NoCrushEnergy { energy } => format!(
-            "the crush energy is {}, but must be greater than zero, because momentum alone does not give \
-             both speeds where the headings lie within {}° of one line; give the damage of the vehicles, \
-             or, if one was stationary or its speed is known, that speed, and find = \"vehicle1.speed\" or \
-             \"vehicle2.speed\"",
+            "the crush energy is {}, but must be greater than zero, because momentum alone does not give both \
+             speeds if the headings lie within {}° of one line; give the damage of the vehicles, or, if one \
+             was stationary or its speed is known, that speed, and find = \"vehicle1.speed\" or \"vehicle2.speed\"",
             units.format(Measure::Energy, *energy),
             number(COLLINEAR.to_degrees(), 0)
         ),
@@ -190,8 +189,8 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
             fastest(units)
         ),
         MomentumError::LeavesWall { vehicle, speed } => format!(
-            "to leave the fixed object like this, vehicle {vehicle} would have come at {} along its \
-             heading, but its heading does not lead into the object; check the direction after the impact, \
+            "to leave the fixed object like this, vehicle {vehicle} would have approached at {} along its \
+             heading, but its heading does not point into the object; check the direction after the impact, \
              the heading and the crush plane",
             units.speed(*speed)
         ),
@@ -269,8 +268,9 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
                 work => format!(" and {} that of the moment impulse", energy(work)),
             };
             format!(
-                "the coefficients create energy: the energy loss would be {}, of which {} is the work of the normal, {} that of the tangential \
-                 impulse{of_moment}; check that the impulse ratio has the sign that opposes the sliding, and lower its size or the restitution",
+                "the coefficients create energy: the energy loss would be {} ({} is the work of the normal \
+                 impulse, {} that of the tangential impulse{of_moment}); check that the impulse ratio has the \
+                 sign that opposes the sliding, and lower its size or the restitution",
                 energy(*loss),
                 energy(*normal_work),
                 energy(*tangential_work)

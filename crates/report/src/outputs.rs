@@ -27,7 +27,7 @@ pub(crate) fn reason_words(reason: Reason) -> [&'static str; 2] {
             ["limit_below_start", "the limit of the force per width is below A, at which crush begins"]
         }
         Reason::NoRest => {
-            ["no_rest", "no motion after the impact leads to the rest position, or none ends at rest"]
+            ["no_rest", "no motion after the impact reaches the rest position, or none ends at rest"]
         }
         Reason::NoSpeeds => ["no_speeds", "momentum and crush energy give no speeds"],
         Reason::Other => ["other", "the numbers are impossible for another reason"],

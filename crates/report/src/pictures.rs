@@ -60,7 +60,7 @@ impl Subject {
     /// have it, the motion after the impact or the geometry alone.
     ///
     /// # Errors
-    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) says what it lacks for this subject.
+    /// If the case has no such analysis; [`obstacle`](Self::obstacle) says what it lacks for this subject.
     pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
         let furthest = analysis::furthest(case);
         match (self, &furthest) {
@@ -85,7 +85,7 @@ impl Subject {
         Self::ALL.into_iter().filter(|subject| subject.obstacle(case).is_none()).collect()
     }
 
-    /// Why the case lacks what this drawing needs; `None` where it lacks nothing.
+    /// Why the case lacks what this drawing needs; `None` if it lacks nothing.
     #[must_use]
     pub fn obstacle(self, case: &Case) -> Option<DrawingError> {
         let purpose = case.furthest_purpose();
@@ -150,7 +150,7 @@ pub(crate) fn drawn(case: &Case, judgement: &Judgement) -> Vec<&'static str> {
 pub enum DrawingError {
     /// The scene and the energy are those of an impact.
     #[error(
-        "there is no {} to draw: that takes an [impact] table and {}",
+        "there is no {} to draw: it takes an [impact] table and {}",
         subject.name(),
         if *.subject == Subject::Scene { "heading and contact point of both vehicles" } else { "the speeds" }
     )]
@@ -171,13 +171,14 @@ pub enum DrawingError {
     NoDamage,
     /// No speed was sought.
     #[error(
-        "there is no reconciliation to draw: that is the work of the impact over the speed sought, and the case has no [reconstruct] table"
+        "there is no reconciliation to draw: it shows the work of the impact over the unknown speed, and the \
+         case has no [reconstruct] table"
     )]
     NoReconciliation,
     /// The speeds follow from how the vehicles left the impact.
     #[error(
-        "there is no reconciliation to draw: that is the work of the impact over one speed, which the crush energy decides, and \
-         the speeds of this case follow from how the vehicles left the impact"
+        "there is no reconciliation to draw: it shows the work of the impact over one speed that the crush \
+         energy decides, and the speeds of this case follow from how the vehicles left the impact"
     )]
     ByMomentum,
     /// No vehicle is followed to rest.
@@ -341,7 +342,7 @@ impl<'a> PlainSpeed<'a> {
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
-            "Without the speeds that are sought: the exact solution is not the answer."
+            "Without the speeds to be found: the exact solution is not the answer."
         } else {
             ""
         }

@@ -205,11 +205,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             format!("{friction}, that of the ground: the wheels were locked and skidded on level ground")
         }
         Assumption::SpeedUnused { given, is_direction_used: true, .. } => format!(
-            "of unknown size: this is the speed to find; of the {} that the file gives only the direction is used",
+            "of unknown size: this is the speed to find; only the direction of the {} in the file is used",
             units.format(Measure::Speed, *given)
         ),
         Assumption::SpeedUnused { given, is_direction_used: false, .. } => format!(
-            "unknown: this is the speed to find; the {} that the file gives is not used",
+            "unknown: this is the speed to find; the {} in the file is not used",
             units.format(Measure::Speed, *given)
         ),
         Assumption::EqualSpacing { .. } => "equal: the stations divide the width into equal parts".to_owned(),

@@ -39,7 +39,7 @@ const MILE_PER_HOUR: f64 = 0.447_04;
 const DEGREE: f64 = PI / 180.0;
 
 /// Whether more of a case's speeds, and of the columns of speeds in its recorders, are in miles per hour than
-/// in km/h. A speed in m/s, such as that of a pedestrian, tells nothing about the roads.
+/// in km/h. A speed in m/s, such as that of a pedestrian, says nothing about the roads.
 fn are_speeds_in_mph(case: &Case) -> bool {
     let inputs = case.inputs();
     let units = inputs.iter().filter_map(|input| input.unit);

@@ -15,7 +15,7 @@ use crate::units::{FOOT, Measure, Units, number};
 use crate::words::quoted;
 use crate::{axes, basis, words};
 
-/// (m/s) 10 km/h backward: as much as slightly wrong inputs make of a vehicle that stood.
+/// (m/s) 10 km/h backward: slightly wrong inputs give a stationary vehicle as much.
 const NEARLY_STOOD: f64 = -10.0 / 3.6;
 
 /// The reference to further information on a warning.
@@ -74,7 +74,7 @@ pub(crate) fn left_aside(keys: &[String], can_be_weighed: bool) -> Option<Block>
     (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
 
-/// The codes of the warnings that not most cases have, each once.
+/// The codes of the uncommon warnings, each once.
 pub(crate) fn special_codes(warnings: &[SeenWarning]) -> Vec<&'static str> {
     let mut codes = Vec::new();
     for warning in warnings.iter().map(SeenWarning::warning).filter(|warning| !warning.is_common()) {
@@ -85,8 +85,8 @@ pub(crate) fn special_codes(warnings: &[SeenWarning]) -> Vec<&'static str> {
     codes
 }
 
-/// The number of warnings for the top of a report, with the codes of those that not most cases have and the
-/// heading that lists them; `None` if most cases have all of them.
+/// The number of warnings for the top of a report, with the codes of the uncommon ones and the heading that
+/// lists them; `None` if all are common.
 pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
     let codes = special_codes(warnings);
     let count = match warnings.len() {
@@ -260,9 +260,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*found)
         ),
         Warning::CategoryEnergy { of, share } => format!(
-            "the stiffness of {} is that of a category: crush energies from such a stiffness were on \
-             average {} % of what recorders show, and this answer does not correct them, so its speeds \
-             and ΔV are probably too low; `deltav estimate` corrects them",
+            "the stiffness of {} is from a category: crush energies from such a stiffness were on average {} % \
+             of what recorders show, and this answer does not correct them, so its speeds and ΔV are probably \
+             too low; `deltav estimate` corrects them",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",
@@ -271,8 +271,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             number(100.0 * share, 0)
         ),
         Warning::SkidDirection { vehicle, skid, course } => format!(
-            "the skid marks of vehicle {vehicle} lead from the place `from` in the direction {} to the impact, but the vehicle \
-             travelled in the direction {}; check the place, the signs of its coordinates, and the heading",
+            "the skid marks of vehicle {vehicle} run from the place `from` to the impact in the direction {}, \
+             but the vehicle travelled in the direction {}; check the place, the signs of its coordinates, and \
+             the heading",
             angle(*skid),
             angle(*course)
         ),
@@ -295,7 +296,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             let others: Vec<String> = others.iter().map(|&start| told(start)).collect();
             format!(
                 "several motions after the impact bring vehicle {vehicle} to its rest: {} is used, and {} \
-                 would do as well; give a point of its path, or by how much it turned",
+                 would fit as well; give a point of its path, or by how much it turned",
                 told(*used),
                 others.join(", ")
             )
@@ -342,10 +343,10 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::SeveralSpeeds { answer, others } => {
             let all: Vec<String> = others.iter().map(|&si| speed(si)).collect();
             format!(
-                "the damage fits several speeds: {}, which is the answer, but also {}; of those that certain_speed \
-                 allows (without it, 0 to {}), the answer is the one with which the vehicles move least relative \
-                 to each other; the damage cannot show that it is right: give certain_speed, rest positions or \
-                 marks if you have them",
+                "the damage fits several speeds: {}, which is the answer, but also {}; of those that \
+                 certain_speed allows (without it, 0 to {}), the answer has the least motion of the vehicles \
+                 relative to each other; the damage cannot show that it is right: give certain_speed, rest \
+                 positions or marks if you have them",
                 speed(*answer),
                 all.join(", "),
                 units.format(Measure::RoadSpeed, FASTEST_BELIEVED)
@@ -375,9 +376,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                      `other_impacts`"
                 ),
                 None => format!(
-                    "the recorder of vehicle {vehicle} has several records, and which of them is of this impact is not known (the \
-                     most likely one with {percent} %), so none is used: give `pdof` or the damage, or list the other impacts in \
-                     `other_impacts`"
+                    "the recorder of vehicle {vehicle} has several records, and it is not known which one is \
+                     of this impact (the most likely one with {percent} %), so none is used: give `pdof` or \
+                     the damage, or list the other impacts in `other_impacts`"
                 ),
             }
         }
@@ -506,13 +507,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             angle(*pdof)
         ),
         Warning::GivenSpeedUnused { vehicle, given, is_direction_used: true, found } => format!(
-            "the file gives vehicle {vehicle} a velocity of {}, of which only the direction was used: the speed found along it is {}; to give \
-             the direction alone, write `sideslip` in place of `velocity`",
+            "the file gives vehicle {vehicle} a velocity of {}, but only its direction was used: the speed \
+             found along it is {}; to give the direction alone, write `sideslip` in place of `velocity`",
             speed(*given),
             speed(*found)
         ),
         Warning::GivenSpeedUnused { vehicle, given, is_direction_used: false, found } => format!(
-            "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
+            "the file gives vehicle {vehicle} a speed of {}, but it was not used: the speed found is {}",
             speed(*given),
             speed(*found)
         ),
@@ -697,9 +698,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::ObjectPassed { vehicle, speeds } => {
             let [before, after] = speeds.map(|si| units.road_speed(si));
             format!(
-                "vehicle {vehicle} had {before} before the impact and {after} after it, so it neither stopped at the object nor \
-                 rebounded from it: the energy that such an object takes in a test does not apply to a \
-                 vehicle that goes on"
+                "vehicle {vehicle} had {before} before the impact and {after} after it, so it neither stopped \
+                 at the object nor rebounded from it: the energy that such an object absorbs in a test does \
+                 not apply to a vehicle that moves on"
             )
         }
     }

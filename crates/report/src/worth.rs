@@ -39,15 +39,15 @@ pub(crate) fn worth(key: &str) -> Option<Worth> {
             "0.10, std. dev. 0.08, above 10 m/s (22 mph)",
             "ranges of Brach, Smith and Tsongas, Rose, SAE 931842",
         ),
-        "surface.friction" => ("±10 %, where it was not measured with such a vehicle", STAGED_MOTION),
+        "surface.friction" => ("±10 %, if it was not measured with such a vehicle", STAGED_MOTION),
         "after.drag" => {
-            ("std. dev. 0.3 of its logarithm, as damage and brakes are rarely known", STAGED_MOTION)
+            ("std. dev. 0.3 of its logarithm, because damage and brakes are rarely known", STAGED_MOTION)
         }
         "after.rest.x" | "after.rest.y" => {
             ("as exact as a simulation can be: 10 % of the path and 0.5 m", STAGED_MOTION)
         }
         "after.rest.heading" | "after.rest.turned" => {
-            ("as exact as a simulation can be: 15°, where it turned by more than 60°", STAGED_MOTION)
+            ("as exact as a simulation can be: 15°, if it turned by more than 60°", STAGED_MOTION)
         }
         "after.direction" => ("std. dev. 5° to 10°", "diagrams of the RICSAC tests"),
         _ => return None,

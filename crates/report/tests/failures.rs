@@ -75,7 +75,8 @@ fn a_refusal_speaks_the_units_of_the_reader() {
         (
             &inadmissible,
             "at 160.9 km/h (44.70 m/s) vehicle 2 would",
-            "the energy loss would be -1,000 ft·lb, of which 2,000 ft·lb is the work of the normal, -4,000 ft·lb that of the tangential impulse and 1,000 ft·lb that of the moment impulse;",
+            "the energy loss would be -1,000 ft·lb (2,000 ft·lb is the work of the normal impulse, -4,000 \
+             ft·lb that of the tangential impulse and 1,000 ft·lb that of the moment impulse);",
         ),
         (
             &too_great,

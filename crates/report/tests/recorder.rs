@@ -29,7 +29,7 @@ fn an_axis_that_ends_early_was_stored() {
 
 /// The same recorder with a complete record, one that was cut off, and one whose place makes no bound of its
 /// ΔV: by hand, 0.9 m · π/2 rad/s = 5.09 km/h less than the 23 km/h at its place, and of 4 km/h nothing.
-/// Without the yaw rate, ΔV is that at the place of the recorder.
+/// Without the yaw rate, ΔV applies at the place of the recorder.
 #[test]
 fn the_headline_says_where_delta_v_holds() {
     let cut = "-2 -5 -9 -13 -16 -18 -20 -21 -22 -23 km/h";
@@ -59,7 +59,7 @@ fn the_headline_says_where_delta_v_holds() {
             cut,
             "",
             "at least 23.0 km/h (longitudinal only) at the place of its recorder, as",
-            "ΔV is that at the place of the recorder",
+            "ΔV applies at the place of the recorder",
         ),
     ];
     for (pulse, yaw_rate, headline, place) in expected {
@@ -89,11 +89,11 @@ fn a_table_that_is_not_read_has_a_reason() {
     for (second, reason) in [
         (
             pedals.replace("0.0 On", "0.25 On"),
-            "Not read: \"Brake\", \"Steering (deg)\", as the table has a time after the impact, 0.250 s.",
+            "Not read: \"Brake\", \"Steering (deg)\", because the table has a time after the impact, 0.250 s.",
         ),
         (
             "Time (s) Vehicle speed (km/h) Brake\n-0.8 31 Off\n-0.3 30 On\n".to_owned(),
-            "Not read: \"Vehicle speed (km/h)\", \"Brake\", as the table that was read has a speed for the same times, from -0.800 s on.",
+            "Not read: \"Vehicle speed (km/h)\", \"Brake\", because the table that was read has a speed for the same times, from -0.800 s on.",
         ),
     ] {
         assert!(told(&second).contains(reason), "{}", told(&second));

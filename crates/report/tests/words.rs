@@ -211,7 +211,7 @@ fn an_energy_that_the_basis_explains_is_no_disagreement() {
     let file = CaseFile::parse("case.toml", &absorbed).unwrap();
     let analysis = analysis::reconstruct(&file.case).unwrap();
     let svg = report::drawing(&file, &analysis, Units::Si, Subject::Energy).unwrap().svg();
-    assert!(svg.contains("restitution gives the rest back"), "{svg}");
+    assert!(svg.contains("restitution returns the rest"), "{svg}");
     assert!(!svg.contains("do not agree"));
 }
 

@@ -20,7 +20,7 @@ pub enum Swell {
     Linear,
     /// Half the full deceleration during all of the swell.
     Half,
-    /// None: the swell is driven at full speed, as if it were part of the reaction.
+    /// None: the vehicle keeps its full speed during the swell, as if it were part of the reaction.
     FullSpeed,
 }
 

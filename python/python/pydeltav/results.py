@@ -194,7 +194,7 @@ class Solution(Record):
     delta_v: _MaybePair
     """(m/s) of both vehicles; None for one that cannot move."""
     outside: tuple[str, ...]
-    """Keys of the results that lie outside of the 95 % interval of all the evidence."""
+    """Keys of the results that lie outside the 95 % interval of all the evidence."""
     differs_from_given: tuple[str, ...]
     """Keys of given speeds from which it differs, where there are any."""
     failed: tuple[str, ...]
@@ -562,9 +562,9 @@ class _Analysis(_Document):
     tangential_share: float
     """(–) share of the tangential work, where the energy basis is such a share."""
     warnings: tuple[CaseWarning, ...]
-    """What speaks against the answer."""
+    """Objections to the answer."""
     solution_warnings: tuple[CaseWarning, ...]
-    """What speaks against the exact solution, where all the evidence was weighed."""
+    """Objections to the exact solution, if all the evidence was weighed."""
     checks: tuple[Check, ...]
     """The consistency checks."""
     found: Found | Any
@@ -1204,7 +1204,7 @@ class _Estimate(_Document):
     unused: tuple[Unused, ...]
     """Evidence that is not used, and why."""
     warnings: tuple[CaseWarning, ...]
-    """What speaks against the inputs."""
+    """Objections to the inputs."""
 
 
 # avoid()
@@ -1440,7 +1440,7 @@ class AvoidanceAnswer(Record):
     intervals: AvoidanceIntervals | None
     """None if nothing is uncertain."""
     warnings: tuple[str, ...]
-    """What speaks against the inputs, in sentences."""
+    """Objections to the inputs, as sentences."""
 
 
 class _Avoidance(_Document):

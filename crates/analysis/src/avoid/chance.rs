@@ -17,7 +17,7 @@ use crate::uncertainty::UncertainInput;
 pub struct AvoidChance {
     /// Number of samples.
     pub samples: usize,
-    /// Number of samples whose numbers are those of a scene, from which everything below comes.
+    /// Number of samples that make a possible scene; everything below comes from these.
     pub possible: usize,
     /// Number of samples in which the vehicle did not move forward: they are not possible.
     pub stationary: usize,
@@ -35,9 +35,9 @@ pub struct AvoidChance {
     pub mc_error: f64,
     /// (m/s) speed at the demand.
     pub speed: AvoidInterval,
-    /// (m/s) the speed that is avoiding in space.
+    /// (m/s) the speed that avoids it in space.
     pub spatial: AvoidInterval,
-    /// (m/s) the speed that is avoiding in time, if that is asked.
+    /// (m/s) the speed that avoids it in time, with that question.
     pub temporal: Option<AvoidInterval>,
     /// (m/s) what is left of the limit at the place of the impact.
     pub left_at_limit: AvoidInterval,
@@ -45,7 +45,7 @@ pub struct AvoidChance {
     pub distance: AvoidInterval,
     /// (s) from the demand to the impact.
     pub time: AvoidInterval,
-    /// Since when the view is free, if obstacles hide the other party.
+    /// From when on the view is free, if obstacles hide the other party.
     pub sight: Option<SightIntervals>,
     /// What moves the probability, the most influential first.
     pub influences: Vec<AvoidInfluence>,
@@ -64,7 +64,7 @@ pub struct AvoidInterval {
     pub high: f64,
 }
 
-/// Since when the view is free, among the samples in which something hides the other party before.
+/// From when on the view is free, among the samples in which something hides the other party before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SightIntervals {
     /// (s) before the impact.
@@ -73,17 +73,16 @@ pub struct SightIntervals {
     pub distance_subject: AvoidInterval,
     /// (m) distance that the other party covers from there to the impact.
     pub distance_other: AvoidInterval,
-    /// (–) share of samples in which nothing hides it in the time that is looked at.
+    /// (–) share of samples in which nothing hides it in the time examined.
     pub never_hidden: f64,
 }
 
 /// How much an uncertain number moves the probability that the collision is avoided at the limit.
 #[derive(Clone, Debug)]
 pub struct AvoidInfluence {
-    /// The number; `None` for the speed that the rest of the case tells.
+    /// The number; `None` for the speed by the rest of the case.
     pub input: Option<Input>,
-    /// (–) the probability among the samples in which the number is above its median, less that among the
-    /// others.
+    /// (–) the probability among the samples with the number above its median, minus that among the others.
     pub difference: f64,
 }
 
@@ -99,18 +98,17 @@ const OF_RECORDER: u64 = 0x7361_6d70_6c65;
 /// Of that of the other vehicle.
 const OF_OTHER_RECORDER: u64 = 0x006f_7468_6572;
 
-/// Speeds at the impact (m/s) that the rest of the case tells, one for each sample; NaN for one without an
-/// answer.
+/// Speeds at the impact (m/s) by the rest of the case, one for each sample; NaN for one without an answer.
 pub(super) struct Speeds<'a> {
     pub(super) speeds: &'a [f64],
-    /// The same of the other vehicle; empty if it is not sought.
+    /// The same for the other vehicle; empty if it is not needed.
     pub(super) other: &'a [f64],
     /// Their estimate, which knows how independent they are.
     pub(super) estimated: Option<&'a Estimated>,
 }
 
-/// The samples of the uncertain numbers, or one for each of the speeds. Where these do not have that of the
-/// other vehicle (m/s), `other` may.
+/// The samples of the uncertain numbers, or one for each of the speeds. If these lack that of the other
+/// vehicle (m/s), `other` may have it.
 pub(super) fn chance(
     form: &AvoidForm<Number>,
     inputs: &[UncertainInput],
@@ -193,7 +191,7 @@ fn of_scenes(
     let share = |count: usize| ratio(count, posed.len());
     let avoided = is_avoided.iter().flatten().filter(|is| **is).count();
     let avoided_at_limit = share(avoided);
-    // As for one success and one failure more, so that the error of a probability of 1 is not 0.
+    // As if with one more success and one more failure, so the error of a probability of 1 is not 0.
     let smoothed = ratio(avoided + 1, posed.len() + 2);
     let independent = (smoothed * (1.0 - smoothed) / ratio(posed.len(), 1)).sqrt();
     // Draws of an estimate depend on each other.
@@ -250,8 +248,8 @@ fn of_sights(posed: &[&AvoidScene]) -> Option<SightIntervals> {
 }
 
 impl AvoidChance {
-    /// (–) the probability that the collision is avoided from a speed (m/s), and the ends of the interval in
-    /// which that probability lies with 95 %, as far as the number of samples goes.
+    /// (–) the probability that the collision is avoided from a speed (m/s), and its 95 % interval due to the
+    /// number of samples.
     #[must_use]
     pub fn avoided_from(&self, speed: f64) -> [f64; 3] {
         let below = self.avoiding.partition_point(|avoiding| *avoiding < speed);

@@ -1,4 +1,4 @@
-//! How the vehicle moved before the impact, where phases or the table of its recorder tell.
+//! How the vehicle moved before the impact, if phases or the table of its recorder show it.
 
 use std::sync::Arc;
 
@@ -10,8 +10,8 @@ use time_distance::{Course, Leg, Phase, Response, approach};
 
 use super::posing::{Since, Unposed};
 
-/// (s) samples of a recorder that are so close to the impact give way to the speed at the impact, which is
-/// found from them, with all that they get wrong.
+/// (s) the speed at the impact replaces the samples of a recorder so close to it: it was found from them,
+/// with all their errors.
 pub const GIVES_WAY: f64 = 0.2;
 
 /// (m/s²) a vehicle that slows by more than this brakes; one that slows by less may coast.
@@ -36,7 +36,8 @@ impl Driven {
     pub(super) fn new(approach: Approach, since: Since) -> Result<(Self, f64, f64), Unposed> {
         let mut legs = approach.legs;
         let Some(first) = legs.first().copied() else { return Err(Unposed::Stands) };
-        // What was before the first phase is not known: the vehicle came with the speed with which it began.
+        // What was before the first phase is unknown: the vehicle is taken to have had the speed at its
+        // beginning.
         legs.insert(0, Leg { acceleration: 0.0, jerk: 0.0, ..first });
         if let Some(last) = legs.last().copied()
             && last.acceleration < 0.0
@@ -86,7 +87,7 @@ impl Driven {
         self.rest().map(|rest| rest.time)
     }
 
-    /// The last leg, if the vehicle then stands.
+    /// The last leg, if the vehicle is then at rest.
     fn rest(&self) -> Option<&Leg> {
         self.0.last().filter(|last| last.speed <= 0.0 && last.acceleration <= 0.0)
     }
@@ -169,7 +170,7 @@ impl Stretches {
         Self { legs: Vec::new(), end: Leg { speed, ..Leg::at_rest(0.0, 0.0) }, greatest }
     }
 
-    /// An acceleration (m/s²) until a time (s). A vehicle that has stopped stands, and one that is at the
+    /// An acceleration (m/s²) until a time (s). A vehicle that has stopped stays at rest, and one at the
     /// greatest speed keeps it.
     fn push(&mut self, acceleration: f64, until: f64) {
         let lasts = until - self.end.time;
@@ -216,12 +217,12 @@ fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
     Ok(starts)
 }
 
-/// (m/s) the speed at the impact to which phases of the other vehicle lead.
+/// (m/s) the speed at the impact that follows from the phases of the other vehicle.
 pub(super) fn end_of(phases: &[PhaseForm]) -> Result<f64, Unposed> {
     Ok(starts(phases).map_err(Unposed::OtherPhases)?.last().copied().unwrap_or_default())
 }
 
-/// How a vehicle came to the impact: legs whose times and positions count from there.
+/// How a vehicle approached the impact: legs whose times and positions count from there.
 pub(super) struct Approach {
     pub(super) legs: Vec<Leg>,
     /// (m/s)
@@ -239,9 +240,9 @@ impl Approach {
         Self::back(&phases, at_impact).map(Some).map_err(Unposed::Phases)
     }
 
-    /// Of another vehicle, with its speed at the impact (m/s): steady where nothing is known of it. Before a
+    /// Of another vehicle, with its speed at the impact (m/s): steady if nothing is known of it. Before a
     /// skid, its brakes build up as those of the response do. The last leg is after the impact: it keeps its
-    /// deceleration until it stands, and otherwise its speed.
+    /// deceleration until it stops, or else its speed.
     pub(super) fn of_other(
         braking: &BrakingForm,
         at_impact: f64,

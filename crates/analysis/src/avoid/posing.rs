@@ -1,11 +1,12 @@
-//! From where on a scene counts, and why numbers make none.
+//! Where a scene begins, and why numbers make none.
 
 use pim_core::InvalidInput;
 
-/// (m, s) more than anybody asks; what is beyond, such as the arrival of one that stops before, is that.
+/// (m, s) beyond all values of interest; stands for anything farther, such as the arrival of a vehicle that
+/// stops before.
 pub(super) const FAR: f64 = 1e6;
 
-/// From where or when on a scene counts.
+/// Where or when a scene begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Since {
     /// (m) distance of the vehicle before the impact.
@@ -14,19 +15,19 @@ pub(crate) enum Since {
     Time(f64),
 }
 
-/// (m/s) speeds just before the impact that are sought, and told by the rest of the case.
+/// (m/s) unknown speeds just before the impact, found from the rest of the case.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SoughtSpeeds {
-    /// Of the vehicle whose driver is asked about.
+    /// Of the vehicle whose driver is judged.
     pub(crate) subject: Option<f64>,
     /// Of the other.
     pub(crate) other: Option<f64>,
 }
 
-/// Why the numbers are not those of a scene.
+/// Why the numbers make no scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Unposed {
-    /// The vehicle braked already where or when the danger could first be recognized.
+    /// The vehicle already braked where or when the danger could first be recognized.
     BrakedBefore {
         /// (m) from the first effect of the brakes to the impact.
         distance: f64,
@@ -50,11 +51,11 @@ pub(crate) enum Unposed {
     FromBehind,
     /// The vehicle did not move forward.
     Stands,
-    /// The other vehicle did not move forward, so that it never clears the danger zone.
+    /// The other vehicle did not move forward, so it never clears the danger zone.
     OtherStands,
-    /// Nothing tells how fast the other party moves, which the sight depends on.
+    /// Nothing says how fast the other party moves, on which the sight depends.
     OtherUnknown,
-    /// Obstacles hide nothing before the impact, so that their end is no demand.
+    /// Obstacles hide nothing before the impact, so their end is no demand.
     NeverHidden,
     /// An obstacle hides the other party at the impact.
     HiddenAtImpact,

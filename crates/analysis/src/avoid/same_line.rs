@@ -1,4 +1,4 @@
-//! Another vehicle on the line of the one that is asked about, so that the place of a collision moves.
+//! Another vehicle on the line of the judged one: the place of a collision moves with it.
 
 use std::sync::Arc;
 
@@ -8,24 +8,24 @@ use time_distance::{Course, Gap, Leg, Response, first_contact, least_gap};
 use super::driven::{Approach, Driven};
 use super::posing::{FAR, Since, Unposed};
 
-/// How another vehicle moves along the line of the one that is asked about: up to the impact as it did, and
-/// from then on as it would have.
+/// How another vehicle moves along the line of the judged one: up to the impact as it did, and from then on
+/// as it would have.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SameLine {
     /// In which direction.
     pub along: Along,
     /// (m/s) its speed at the impact.
     pub speed: f64,
-    /// (m/s²) its deceleration at the impact, with which it goes on until it stands; zero if it was steady
-    /// or accelerated, and then goes on at that speed.
+    /// (m/s²) its deceleration at the impact, which it keeps until it stops; zero if it was steady or
+    /// accelerated, and then keeps its speed.
     pub deceleration: f64,
     /// (m) how far it is from the vehicle at the demand.
     pub gap: f64,
-    /// Its motion since the demand, in places and speeds along the way of the vehicle.
+    /// Its motion since the demand, in places and speeds along the path of the vehicle.
     legs: Arc<[Leg]>,
 }
 
-/// Where a vehicle comes to the place of the impact, or to another one that moves along its line.
+/// The arrival of a vehicle at the place of the impact, or at another one that moves along its line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// (s) when, after the demand.
@@ -37,9 +37,9 @@ pub struct Meeting {
 }
 
 impl SameLine {
-    /// With its speed at the impact (m/s), where the rest of the case tells that, from the distance (m) and
-    /// the time (s) of the demand before the impact on; `None` if it stood, or its speed is not known. Its
-    /// brakes build up as those of the response do.
+    /// With its speed at the impact (m/s), if the rest of the case gives it, from the distance (m) and the
+    /// time (s) of the demand before the impact on; `None` if it was stationary, or its speed is not known.
+    /// Its brakes build up as those of the response do.
     pub(super) fn of(
         form: &SameLineForm,
         sought: Option<f64>,
@@ -50,7 +50,7 @@ impl SameLine {
         if speed == 0.0 && matches!(form.motion.braking, BrakingForm::Unknown) {
             return Ok(None);
         }
-        // One that backs comes the other way, and its phases are those of that way.
+        // A vehicle that backs moves the other way, and its phases describe that motion.
         let (along, speed) = match form.along {
             along if speed >= 0.0 => (along, speed),
             Along::Ahead => (Along::Oncoming, -speed),
@@ -77,7 +77,7 @@ impl SameLine {
         Ok(Some(Self { along, speed, deceleration, gap, legs }))
     }
 
-    /// Where it is at a time (s) after the demand, and how fast, along the way of the vehicle: negative
+    /// Where it is at a time (s) after the demand, and how fast, along the path of the vehicle: negative
     /// towards it.
     #[must_use]
     pub fn at(&self, time: f64) -> Leg {

@@ -14,7 +14,7 @@ use super::driven::{Approach, Driven, Gain, end_of};
 use super::posing::{FAR, Since, SoughtSpeeds, Unposed};
 use super::same_line::{Meeting, SameLine};
 
-/// How the vehicle came to the impact.
+/// How the vehicle approached the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ActualRun {
     /// As the driver would have reacted and braked by `[avoid]`: nothing says otherwise.
@@ -23,11 +23,11 @@ pub enum ActualRun {
     Unbraked(Unbraked),
     /// Its wheels skidded up to the impact, as marks show.
     Skidded(Response),
-    /// It moved as phases or the table of its recorder tell.
+    /// It moved as phases or the table of its recorder show.
     Driven(DrivenBy),
 }
 
-/// What tells how the vehicle moved before the impact.
+/// What shows how the vehicle moved before the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrivenBy {
     /// The phases of `[[vehicleN.before.phase]]`.
@@ -41,7 +41,7 @@ pub enum DrivenBy {
 pub enum Unbraked {
     /// The case says so.
     Stated,
-    /// The case has the speed at the impact, and nothing that says that it braked before.
+    /// The case has the speed at the impact, and no braking before it.
     NothingKnown,
     /// With a timely reaction, it would have stopped before the place of the impact, or would not have come
     /// up to another vehicle on its line there: it reacted late, or not at all.
@@ -59,7 +59,7 @@ pub struct AvoidScene {
     pub distance: f64,
     /// (s) from the demand to the impact.
     pub time: f64,
-    /// (m/s) the speed for which it is asked.
+    /// (m/s) the speed limit of the question.
     pub limit: f64,
     /// What the driver could have done.
     pub response: Response,
@@ -69,9 +69,9 @@ pub struct AvoidScene {
     pub actual: ActualRun,
     /// What obstacles do to the view.
     pub view: View,
-    /// The other vehicle, where it moves along the same line: the place of a collision then moves with it.
+    /// The other vehicle, if it moves along the same line: the place of a collision then moves with it.
     pub same_line: Option<SameLine>,
-    /// How the vehicle moved, where phases or a recorder tell.
+    /// How the vehicle moved, if phases or a recorder show it.
     pub(super) driven: Option<Driven>,
 }
 
@@ -96,14 +96,14 @@ impl Clears {
             }
             (ClearSpeedForm::Steady(speed), _) => Some(speed.si()),
             (ClearSpeedForm::Phases(phases), _) => Some(end_of(phases)?),
-            // A solution that lets it move backward says that it stood.
+            // A solution that lets it move backward means that it was stationary.
             (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => sought.map(|speed| speed.max(0.0)),
         };
         let backs = speed.is_some_and(|speed| speed < 0.0);
         let distance = clear.distance(backs)?;
         let after = match (speed, &clear.speed) {
             (Some(speed), _) if speed != 0.0 => Advance::Steady { speed: speed.abs() }.time_over(distance)?,
-            // Among others that move, one that stands never clears it.
+            // Among samples in which it moves, a stationary one never clears it.
             (Some(_), ClearSpeedForm::AsItCame | ClearSpeedForm::Sought) => FAR,
             (Some(_), ClearSpeedForm::Steady(_) | ClearSpeedForm::Phases(_)) | (None, _) => {
                 return Err(Unposed::OtherStands);
@@ -113,7 +113,7 @@ impl Clears {
     }
 }
 
-/// Since when the view of the other party has been free, without a break up to the impact.
+/// From when on the other party was continuously in view up to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
     /// (s) before the impact.
@@ -129,14 +129,14 @@ pub struct Sight {
 pub enum View {
     /// There are none.
     Open,
-    /// They hide nothing in the [time before the impact](super::SIGHT_LOOK_BACK) that is looked at.
+    /// They hide nothing in the [time examined](super::SIGHT_LOOK_BACK) before the impact.
     NeverHidden,
     /// They hide the other party until then.
     Free(Sight),
 }
 
 impl View {
-    /// Since when it is free, if something hides the other party before.
+    /// From when on it is free, if something hides the other party before.
     #[must_use]
     pub fn sight(self) -> Option<Sight> {
         match self {
@@ -151,7 +151,7 @@ impl View {
 pub struct AvoidCourse {
     /// (m/s) speed at the demand.
     pub speed: f64,
-    /// What the driver did; `None` without braking, or if phases or a recorder tell how the vehicle moved.
+    /// What the driver did; `None` without braking, or if phases or a recorder show how the vehicle moved.
     pub response: Option<Response>,
     /// How it moves, if it accelerates or brakes otherwise than by the response alone.
     pub(super) driven: Option<Driven>,
@@ -210,8 +210,8 @@ impl AvoidCourse {
 }
 
 impl AvoidScene {
-    /// The scene of these numbers, with the speeds that are sought, from where or when on `since` says;
-    /// without obstacles.
+    /// The scene of these numbers, with the unknown speeds, from the place or time `since` on; without
+    /// obstacles.
     pub(crate) fn since(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
         let scene = Self::of_vehicle(form, sought, since)?;
         let Some(line) = &form.same_line else { return Ok(scene) };
@@ -226,7 +226,7 @@ impl AvoidScene {
         }
     }
 
-    /// The same with the other vehicle on its line, with the speed that is sought (m/s).
+    /// The same with the other vehicle on its line, with the unknown speed (m/s).
     fn on_line(self, line: &SameLineForm, sought: Option<f64>) -> Result<Self, Unposed> {
         let same_line = SameLine::of(line, sought, &self.response, [self.distance, self.time])?;
         if let Some(line) = &same_line
@@ -283,7 +283,7 @@ impl AvoidScene {
             (BrakingForm::Unbraked, Some(speed), _) | (BrakingForm::Unbraked, None, Some(speed)) => {
                 Ok(partly.unbraked(since, speed, Unbraked::Stated))
             }
-            // A recorder that stored nothing but the last moment says nothing of the approach.
+            // A recorder that stored only the last moment says nothing about the approach.
             (
                 BrakingForm::Unknown | BrakingForm::Phases(_) | BrakingForm::Recorded { .. },
                 _,
@@ -310,7 +310,7 @@ impl AvoidScene {
         (time < self.response.stopping_time(speed)).then_some(time)
     }
 
-    /// (s) over a distance (m) from the demand, from a speed (m/s) there, where nothing is known of the
+    /// (s) over a distance (m) from the demand, from a speed (m/s) there, if nothing is known about the
     /// braking.
     pub(super) fn time_responded(&self, distance: f64, speed: f64) -> f64 {
         self.arrives(speed, distance).unwrap_or(distance / speed)
@@ -349,7 +349,7 @@ impl AvoidScene {
         let at_impact = match (at_impact, at_demand) {
             (Some(speed), _) => speed,
             (None, Some(speed)) => {
-                // A vehicle that stands at the end of the swell has lost all of its speed in it.
+                // A vehicle at rest at the end of the swell has lost all of its speed in it.
                 let lost = slowed.demand_before(0.0, 0.0).speed;
                 // v_c² = (v_0 − lost)² − 2 a s
                 let square = (speed - lost) * (speed - lost) - 2.0 * slowed.deceleration() * length;
@@ -392,8 +392,8 @@ impl AvoidScene {
         [speed + gain.speed, self.distance + gain.speed * reaction - gain.distance]
     }
 
-    /// Where a course leads to the place of the impact, or to a vehicle that moves along the line; `None` if
-    /// it never does.
+    /// Where a course reaches the place of the impact, or a vehicle that moves along the line; `None` if it
+    /// never does.
     #[must_use]
     pub fn meeting(&self, course: &AvoidCourse) -> Option<Meeting> {
         let Some(line) = &self.same_line else {
@@ -422,8 +422,8 @@ impl AvoidScene {
         })
     }
 
-    /// (m/s) the greatest speed with which it comes so late that the other party has cleared the danger
-    /// zone, if that would have moved on; likewise.
+    /// (m/s) the greatest speed at which it arrives so late that the other party has cleared the danger zone,
+    /// if that would have moved on; likewise.
     #[must_use]
     pub fn temporal(&self) -> Option<f64> {
         let cleared = self.cleared()?;
@@ -434,7 +434,7 @@ impl AvoidScene {
         Some(self.just(&|distance| self.response.speed_to_arrive_after(distance, cleared), &early))
     }
 
-    /// (m/s) the greatest speed with which it does not reach a vehicle on the same line until a time (s).
+    /// (m/s) the greatest speed at which it does not reach a vehicle on the same line until a time (s).
     fn just_apart(&self, line: &SameLine, until: f64) -> f64 {
         let reached = self.reached();
         let overlaps = |greatest: f64| {
@@ -455,8 +455,8 @@ impl AvoidScene {
         last_that_holds(|speed| overlaps(speed) <= 0.0, [0.0, most])
     }
 
-    /// (m/s) the greatest speed with which a course just does not fail: by the closed form of a distance (m)
-    /// for a steady speed, or where `fails_by` is zero, which rises with the speed.
+    /// (m/s) the greatest speed at which a course just does not fail: by the closed form of a distance (m)
+    /// for a steady speed, or where `fails_by`, which rises with the speed, is zero.
     fn just(&self, steadily: &dyn Fn(f64) -> f64, fails_by: &dyn Fn(&AvoidCourse) -> f64) -> f64 {
         let steady = steadily(self.distance);
         let [reached, distance] = self.as_if_steady(self.speed, f64::INFINITY);
@@ -494,7 +494,7 @@ impl AvoidScene {
         self.as_if_steady(self.speed, f64::INFINITY)[0]
     }
 
-    /// (s) how long after the demand its motion is known, if phases or a recorder tell it.
+    /// (s) how long after the demand its motion is known, if phases or a recorder show it.
     #[must_use]
     pub fn begins(&self) -> Option<f64> {
         self.driven.as_ref().map(Driven::begins)
@@ -564,7 +564,7 @@ impl AvoidScene {
         self.kept() <= self.spatial()
     }
 
-    /// Whether it then comes after the other party has left the danger zone; `None` if that is not asked.
+    /// Whether it then arrives after the other party has left the danger zone; `None` without that question.
     #[must_use]
     pub fn is_late_at_limit(&self) -> Option<bool> {
         Some(self.kept() <= self.temporal()?)
@@ -576,7 +576,7 @@ impl AvoidScene {
         self.avoids(&self.at_limit_else_as_it_was())
     }
 
-    /// Whether a course leads to no collision.
+    /// Whether a course has no collision.
     fn avoids(&self, course: &AvoidCourse) -> bool {
         self.meeting(course).is_none_or(|meeting| self.is_late(meeting.time) || self.is_end(&meeting))
     }
@@ -587,8 +587,8 @@ impl AvoidScene {
     }
 
     /// (m/s²) the least deceleration that avoids the collision from the speed driven, or from the limit: the
-    /// vehicle stops before the place of the impact, or comes there after the other party has left the danger
-    /// zone, zero if it does so without braking; `None` if no deceleration does.
+    /// vehicle stops before the place of the impact, or arrives there after the other party has left the
+    /// danger zone, zero if it does so without braking; `None` if no deceleration does.
     #[must_use]
     pub fn least_deceleration(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
@@ -616,8 +616,8 @@ impl AvoidScene {
         in_time.or(in_space)
     }
 
-    /// (s) the longest reaction with which the collision is avoided, likewise; where it is avoided without
-    /// braking, the time that the other party takes.
+    /// (s) the longest reaction that avoids the collision, likewise; if it is avoided without braking, the
+    /// time that the other party takes.
     #[must_use]
     pub fn longest_reaction(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
@@ -637,22 +637,22 @@ impl AvoidScene {
             .cleared()
             .filter(|_| is_late(0.0))
             .map(|cleared| if is_late(cleared) { cleared } else { last_that_holds(is_late, [0.0, cleared]) });
-        // The later of both: who stops before the place comes there never, and so late enough, too.
+        // The later of both: a vehicle that stops before the place never arrives, so it is late enough, too.
         in_time.or(in_space)
     }
 
-    /// (s) after the demand, the other party has left the danger zone; `None` if that is not asked.
+    /// (s) after the demand, the other party has left the danger zone; `None` without that question.
     pub(super) fn cleared(&self) -> Option<f64> {
         self.clears.map(|clears| self.time + clears.after)
     }
 
     /// Whether an arrival (s) at the place of the impact is after the other party has left the danger zone;
-    /// never true if that is not asked.
+    /// never true without that question.
     fn is_late(&self, arrival: f64) -> bool {
         self.cleared().is_some_and(|cleared| arrival >= cleared)
     }
 
-    /// Whether a course leads to the place that late, or never; never true if that is not asked.
+    /// Whether a course reaches the place that late, or never; never true without that question.
     fn comes_late(&self, course: &AvoidCourse) -> bool {
         self.clears.is_some() && course.arrival(self.distance).is_none_or(|arrival| self.is_late(arrival))
     }
@@ -696,7 +696,7 @@ const MOST_DECELERATION: f64 = 1e3;
 /// (s) nobody reacts later.
 const LONGEST_REACTION: f64 = 100.0;
 
-/// The last number on the way from one that holds to one that does not.
+/// The last number for which it holds, between one that holds and one that does not.
 fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]) -> f64 {
     for _ in 0..MOST_HALVINGS {
         let middle = f64::midpoint(held, failed);
@@ -705,7 +705,7 @@ fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]
     held
 }
 
-/// (m/s) to which a speed is found that just avoids the collision.
+/// (m/s) accuracy of a speed that just avoids the collision.
 const TOLERANCE: f64 = 1e-10;
 
 /// What the driver could have done.

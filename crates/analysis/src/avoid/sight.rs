@@ -1,4 +1,4 @@
-//! Since when the driver could see the other party.
+//! From when on the driver could see the other party.
 
 use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, SightForm, SpeedForm};
 use pim_core::Vector2;
@@ -9,9 +9,9 @@ use super::driven::{Approach, Driven};
 use super::posing::{Since, SoughtSpeeds, Unposed};
 use super::scene::{AvoidScene, Sight, View, given_demand, response};
 
-/// (s) how far before the impact the sight is asked.
+/// (s) how far before the impact the sight is examined.
 pub const SIGHT_LOOK_BACK: f64 = 10.0;
-/// Steps in which it is asked: one each 0.05 s.
+/// Steps of the examination: one each 0.05 s.
 const STEPS: u32 = 200;
 /// (s) before the view is free, something hides the other party.
 const JUST_BEFORE: f64 = 1e-6;
@@ -23,7 +23,7 @@ pub struct Hiding {
     pub by: Option<usize>,
     /// Whether it came out of that obstacle.
     pub is_inside: bool,
-    /// (s) before the impact, the first moment in the time looked at at which it was in sight, before it was
+    /// (s) before the impact, the first moment in the time examined when it was in sight, before it was
     /// hidden.
     pub seen_earlier: Option<f64>,
 }
@@ -39,7 +39,7 @@ fn at(place: &Place) -> Vector2<f64> {
     Vector2::new(place.x.si(), place.y.si())
 }
 
-/// A way to a place at the impact.
+/// A path to a place at the impact.
 #[derive(Clone, Debug)]
 struct Way {
     /// (m) its points, backwards from the impact.
@@ -66,7 +66,7 @@ impl Way {
         }
     }
 
-    /// Adds a point from which the way leads to the last. One in the same place is none.
+    /// Adds a point before the last one of the path. One in the same place is ignored.
     fn add(&mut self, point: Vector2<f64>) {
         let Some(last) = self.points.last() else { return };
         let ahead = Vector2::new(last.x - point.x, last.y - point.y);
@@ -95,7 +95,7 @@ impl Way {
     }
 }
 
-/// The ways of both to the impact.
+/// The paths of both to the impact.
 #[derive(Clone, Debug)]
 pub(crate) struct Ways {
     /// Those of the driver's eye and of the visible point.
@@ -107,11 +107,11 @@ pub(crate) struct Ways {
 }
 
 impl Ways {
-    /// With the speed of the other vehicle at the impact (m/s), where the rest of the case tells that. Its
-    /// brakes build up as those of `[avoid]` do.
+    /// With the speed of the other vehicle at the impact (m/s), if the rest of the case gives it. Its brakes
+    /// build up as those of `[avoid]` do.
     pub(crate) fn of(sight: &SightForm, sought: Option<f64>, form: &AvoidForm) -> Result<Self, Unposed> {
         let speed = sight.other.speed_at_impact(sought).ok_or(Unposed::OtherUnknown)?;
-        // The phases of one that backs are those of that way.
+        // The phases of a vehicle that backs describe that motion.
         let sign = if speed < 0.0 { -1.0 } else { 1.0 };
         let approach = Approach::of_other(&sight.other.braking, speed.abs(), &response(form)?)?;
         let (other, _, _) = Driven::new(approach, Since::Time(0.0))?;
@@ -150,7 +150,7 @@ impl Ways {
         Sight { time, distance_subject: way, distance_other: self.of_other(time) }
     }
 
-    /// When the view became free, from which on the driver reacts.
+    /// When the view became free; the driver reacts from then on.
     pub(crate) fn demand(
         &self,
         form: &AvoidForm,
@@ -158,7 +158,7 @@ impl Ways {
         obstacles: Outlines<'_>,
     ) -> Result<Since, Unposed> {
         if let (BrakingForm::Unknown, SpeedForm::AtDemand(speed)) = (&form.braking, &form.speed) {
-            // The driver brakes in reaction to it, so that the place decides when the impact is.
+            // The driver brakes in reaction to it, so the place decides when the impact is.
             let farthest = speed.si() * SIGHT_LOOK_BACK;
             let here = AvoidScene::of_vehicle(form, sought, Since::Distance(0.0))?;
             let positions = |since: f64| self.before(-since, here.time_responded(-since, speed.si()));
@@ -202,7 +202,7 @@ impl Ways {
     }
 }
 
-/// The scene of these numbers, with the speeds that are sought.
+/// The scene of these numbers, with the unknown speeds.
 pub(super) fn pose(
     form: &AvoidForm,
     sought: SoughtSpeeds,
@@ -226,7 +226,7 @@ pub(super) fn pose(
 /// (m) what the vehicle has to go at a time (s) before the impact, on the actual run.
 fn way_before(scene: &AvoidScene, time: f64) -> f64 {
     let since = scene.time - time;
-    // What the vehicle did before the demand is known of phases and recorders alone.
+    // Only phases and recorders show what the vehicle did before the demand.
     let is_known = since >= 0.0 || scene.driven.is_some();
     scene.distance - if is_known { scene.course().position(since) } else { scene.speed * since }
 }

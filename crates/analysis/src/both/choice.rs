@@ -1,10 +1,10 @@
 //! Chooses the motions after the impact, of several possible ones, that agree best with the impulse.
 //!
-//! A rest position of which only the heading is known allows several starts, and each combination of a start
-//! of either vehicle gives its own speeds. Some implications of these are then known twice: the yaw rates by
-//! the impulse at C and by the path to rest, a restitution that is neither negative nor high, an impulse
-//! ratio between 0 and μ_c, and the crush energy if it was not used. The residuals r of a combination, and
-//! their covariance Σ from the usual errors of their causes, give
+//! A rest position with only its heading known allows several starts, and each combination of a start of
+//! either vehicle gives its own speeds. Some implications of these are then known twice: the yaw rates by the
+//! impulse at C and by the path to rest, a restitution that is neither negative nor high, an impulse ratio
+//! between 0 and μ_c, and the crush energy if it was not used. The residuals r of a combination, and their
+//! covariance Σ from the usual errors of their causes, give
 //!
 //! χ² = rᵀ Σ⁻¹ r,  weight ∝ e^(−χ²/2)
 

@@ -149,7 +149,7 @@ impl Impacts for CaseImpacts {
 }
 
 impl CaseImpacts {
-    /// A particle that leads to no impact.
+    /// A particle without an impact.
     fn impossible(outcome: Outcome) -> Impacted {
         Impacted {
             speeds: [0.0; 2],
@@ -292,7 +292,7 @@ impl CaseImpacts {
     }
 }
 
-/// The collision of a case; `None` where the engine refuses it.
+/// The collision of a case; `None` if the engine refuses it.
 fn pose(case: &Case) -> Option<Posed> {
     let input = case.collision().ok()?;
     let CollisionData { contact, law, motions, vehicles } = input.collision;

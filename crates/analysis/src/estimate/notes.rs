@@ -17,7 +17,7 @@ pub enum UnusedReason {
     Sought,
     /// A crush that was not measured.
     Inferred,
-    /// A crush of both vehicles that took no energy.
+    /// A crush of both vehicles that absorbed no energy.
     NoEnergy,
     /// The energy that an object absorbed, if the crush of the vehicle that struck it is unknown.
     NoCrush,

@@ -112,7 +112,7 @@ pub(super) struct Setup {
     pub(super) stood: [f64; 2],
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub(super) energies: [Option<EnergyMethod>; 2],
-    /// Where both vehicles were hit, where both move and neither speed is known.
+    /// Where both vehicles were hit, if both move and neither speed is known.
     pub(super) hit: Option<[DamagedSide; 2]>,
     /// Whether the front of a vehicle of unknown speed met a fixed object.
     pub(super) is_with_object: bool,
@@ -424,8 +424,8 @@ fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults
     Ok((case, sought, unused))
 }
 
-/// Takes away the crush that the balance of forces would give, where no PDOF says in which directions they
-/// act: it is no evidence, and follows from none.
+/// Removes the crush that the balance of forces would give if no PDOF gives their directions: it is no
+/// evidence, and follows from none.
 fn without_inferred_crush(case: &mut Case) -> Vec<Unused> {
     if has_pdof(case) {
         return Vec::new();
@@ -650,7 +650,7 @@ fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused
         let Some(after) = &case.vehicles[id.index()].after else { return false };
         let places = [("rest", after.rest.is_some()), ("points", !after.points.is_empty())];
         let given: Vec<&str> = places.iter().filter(|(_, is_given)| *is_given).map(|(key, _)| *key).collect();
-        // A vehicle that hangs on another one does not come to rest as it would alone.
+        // A vehicle attached to another one does not come to rest as it would alone.
         let can_follow = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
         let is_followed = can_follow && !case.locked_together;
         if !is_followed {
@@ -755,7 +755,7 @@ fn speeds(
             return Err(fault(
                 "at_least",
                 &format!(
-                    "{:.0} km/h is faster than any speed that is considered: the highest is {:.0} km/h",
+                    "{:.0} km/h is faster than any speed considered: the highest is {:.0} km/h",
                     3.6 * least,
                     3.6 * FASTEST_BELIEVED
                 ),

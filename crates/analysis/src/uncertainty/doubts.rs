@@ -66,7 +66,7 @@ pub struct Doubtful {
     pub of: usize,
 }
 
-/// Counted while the samples are drawn, so that none has to be kept for it.
+/// Counted while the samples are drawn, so none has to be kept for it.
 #[derive(Debug, Default)]
 pub(super) struct Watched {
     marks: Vec<Mark>,
@@ -166,8 +166,8 @@ pub(super) fn reads(output: Output) -> bool {
     output.is(&SPEED) || output.is(&IMPACT_CLOSING_SPEED)
 }
 
-/// The doubtful samples among those with an answer. The counts do not depend on the number of threads, as
-/// they come from the samples alone.
+/// The doubtful samples among those with an answer. The counts do not depend on the number of threads: they
+/// come from the samples alone.
 pub(super) fn doubtful(
     sample: &Sample<'_>,
     inputs: &[UncertainInput],

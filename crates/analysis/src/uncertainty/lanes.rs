@@ -64,7 +64,7 @@ struct AtOnce {
 /// The condition of such a law along the crush plane.
 #[derive(Clone, Copy, Debug)]
 enum Condition {
-    /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
+    /// e_t: zero, U_t = 0, if the law requires a common tangential velocity.
     Restitution(Number),
     /// μ of a friction limit.
     Friction(Number),
@@ -75,7 +75,7 @@ enum Condition {
 struct Sought {
     unknown: VehicleId,
     basis: EnergyBasis,
-    /// λ, where the crush takes a share of the tangential work.
+    /// λ, if the crush absorbs a share of the tangential work.
     share: Option<Number>,
     /// (m/s) the speed at the central values, if it is not that with the slowest approach.
     chosen: Option<f64>,

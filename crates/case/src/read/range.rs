@@ -107,7 +107,7 @@ impl<'t> Reader<'t> {
             return self.no_range(&table, place.value, LIST_FORMS);
         }
         let ((list, values), spread) = (values?, spread?);
-        // Found once for all values, as a text has to be read from its beginning.
+        // Found once for all values, because a text has to be read from its beginning.
         let spans = self.spans_in(list);
         for (index, value) in values.iter().enumerate() {
             let amount = Amount { number: value.number(), unit: Some(value.unit()) };

@@ -47,7 +47,7 @@ const ERROR: &str = "a string with a number and a unit: an error has no range";
 const EXACT: &str = "a string with a number and a unit: its error has a key of its own, as delta_v_error, speed_error or yaw_rate_error";
 const STOOD: &str = "a recorder gives the speed of a vehicle that moved; for a stationary one, leave this \
                      out and write speed = \"0 km/h\" in the table of the vehicle";
-/// (%) upper limit of the probability that a vehicle stood still: two standing vehicles do not collide.
+/// (%) upper limit of the probability that a vehicle stood still: two stationary vehicles do not collide.
 const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
     "a string with a number and a unit: an uncertain speed belongs in `speed` of the vehicle, as a range";

@@ -354,8 +354,8 @@ impl Demand<'_, f64> {
             (SpeedForm::Sought, None) if given.is_absent() => {
                 self.missing(
                     "avoid.speed",
-                    "`speed` in [avoid], that at the reaction demand, as in speed = \"62 km/h\"; \
-                     or describe the vehicle, so that its damage or marks give the speed",
+                    "`speed` in [avoid], the speed at the reaction demand, as in speed = \"62 km/h\"; or \
+                     describe the vehicle, so that its damage or marks give the speed",
                 );
             }
             _ => {}

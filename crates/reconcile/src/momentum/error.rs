@@ -70,10 +70,9 @@ pub enum MomentumError {
     },
     /// The vehicle would move away from the object that it hit.
     #[error(
-        "to leave the fixed object like this, vehicle {vehicle} would have come at {speed:.4} m/s along its \
-         heading, but its heading does not lead into the object; check the direction after the impact, the \
-         heading and the crush \
-         plane"
+        "to leave the fixed object like this, vehicle {vehicle} would have approached at {speed:.4} m/s along \
+         its heading, but its heading does not point into the object; check the direction after the impact, \
+         the heading and the crush plane"
     )]
     LeavesWall {
         /// Which vehicle.

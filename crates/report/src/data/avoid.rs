@@ -42,7 +42,8 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
         "speed": scene.speed,
         "speed_source": found.speed_from.name(),
         "speed_determined": found.undetermined().is_none(),
-        // By the exact solution that leads `reconstruct`; null unless the speed comes from `estimate`.
+        // By the exact solution that is the headline of `reconstruct`; null unless the speed comes from
+        // `estimate`.
         "exact_speed_at_impact": found.exact_speed(),
         "limit": scene.limit,
         "demand": { "distance": scene.distance, "time": scene.time },
@@ -59,7 +60,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             "collision_speed": scene.left_at_limit(),
             "delta_v": found.run_at_limit().and_then(delta_v),
         },
-        // False where the evidence was weighed, but the run did not converge.
+        // False if the evidence was weighed, but the run did not converge.
         "converged": found.speed_doubt != Some(NoEstimate::Unconverged),
         "probability": found.chance.as_ref().map(probability),
         "response": {

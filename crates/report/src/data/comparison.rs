@@ -103,8 +103,8 @@ fn method(by: EvidenceMethod, units: Units) -> String {
             )
         }
         EvidenceMethod::Momentum => {
-            "from momentum and how the vehicles left the impact (theory 10). Neither the crush energy nor a \
-             speed that the file may give is used"
+            "from momentum and how the vehicles left the impact (theory 10). Neither the crush energy nor any \
+             speed in the file is used"
                 .to_owned()
         }
         EvidenceMethod::MomentumAndSpeed { given } => format!(
@@ -116,14 +116,14 @@ fn method(by: EvidenceMethod, units: Units) -> String {
             number(restitution, 4)
         ),
         EvidenceMethod::MomentumAndDamage => {
-            "from momentum along the line of the headings and the crush energy (theory 10). A speed that \
-             the file may give is not used"
+            "from momentum along the line of the headings and the crush energy (theory 10). Any speed in the \
+             file is not used"
                 .to_owned()
         }
         EvidenceMethod::Weighed { errors, apart } => format!(
             "from momentum and the crush energy, each weighed by its error (theory 10): {} % and {} of the \
-             velocities after the impact, a factor of {} of the crush energy, one standard deviation each. With \
-             these the two lie {} standard deviations apart. A speed that the file may give is not used",
+             velocities after the impact, a factor of {} of the crush energy, one standard deviation each. \
+             With these the two lie {} standard deviations apart. A speed in the file is not used",
             number(100.0 * errors.speed, 0),
             units.format(Measure::Angle, errors.direction),
             number(E.power(errors.crush_ln), 2),
@@ -142,8 +142,8 @@ fn no_evidence(reason: &NoEvidence, units: Units) -> String {
                 .to_owned()
         }
         NoEvidence::NeedsSpeed { angle: si } => format!(
-            "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not distinguish one speed \
-             from the other. If the speed of one vehicle is known, it gives that of the other",
+            "no answer: the headings differ by {}, within 10° of one line, so momentum alone does not separate \
+             the two speeds. If the speed of one vehicle is known, momentum gives the other",
             angle(*si)
         ),
         NoEvidence::NoDamage => {

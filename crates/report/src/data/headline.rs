@@ -9,8 +9,8 @@ use super::{list, object};
 use crate::estimates::{WIDEST, ends};
 use crate::words;
 
-/// What leads a reconstruction: `exact` or `estimate`; `none` if an exact solution is not the answer and the
-/// evidence was not weighed, or gave no answer.
+/// The headline of a reconstruction: `exact` or `estimate`; `none` if an exact solution is not the answer and
+/// the evidence was not weighed, or gave no answer.
 #[must_use]
 pub fn led_by(weighed: Option<&Weighed>, why_not_exact: Option<&WhyNotExact>) -> &'static str {
     match (weighed, why_not_exact) {

@@ -33,12 +33,12 @@ fn said(piece: &PieceFound, agreement: Agreement) -> Option<String> {
 fn turned_round(piece: Piece) -> &'static str {
     match piece {
         Piece::RecordedDeltaV(_) => {
-            ": it may have the wrong sign. The longitudinal ΔV is negative where the vehicle was slowed down, as in a \
-             frontal impact, and positive where it was pushed forward"
+            ": it may have the wrong sign. The longitudinal ΔV is negative if the vehicle was slowed down, as \
+             in a frontal impact, and positive if it was pushed forward"
         }
         Piece::RecordedDirection(_) => {
-            ": a sign may be wrong. The longitudinal ΔV is negative where the vehicle was slowed down, as in a frontal \
-             impact; the lateral ΔV is positive towards y, which is left, or right in axes with z down"
+            ": a sign may be wrong. The longitudinal ΔV is negative if the vehicle was slowed down, as in a \
+             frontal impact; the lateral ΔV is positive towards y, which is left, or right in axes with z down"
         }
         Piece::Pdof(_) => {
             ": it may be reversed. The PDOF is where the force came from, clockwise from the heading: 0° at the \

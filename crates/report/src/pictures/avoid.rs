@@ -26,7 +26,7 @@ choices! {
         PathTime = "path-time",
         /// The probability that the collision is avoided, against the speed.
         Chance = "chance",
-        /// The ways of both to the impact, the obstacles and the line of sight.
+        /// The paths of both to the impact, the obstacles and the line of sight.
         Sight = "sight",
     }
 }
@@ -46,10 +46,11 @@ impl AvoidPicture {
         match self {
             Self::PathTime => Ok(path_time_picture(case, found, units).draw()),
             Self::Chance => chance_picture(case, found, units).map(|picture| picture.draw()).ok_or(
-                "there is no probability to draw: no number of the case is a range, and no evidence tells the speed",
+                "there is no probability to draw: no number of the case is a range, and no evidence gives the speed",
             ),
             Self::Sight => sight_picture(case, found, units).map(|picture| picture.draw()).ok_or(
-                "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
+                "there is no plan to draw: the case has no [[avoid.obstacle]], and no [avoid.sight] that says \
+                 how both approached",
             ),
         }
     }
@@ -116,7 +117,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         (points, format!("{party}, along its own path"))
     };
     let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
-    // The way of the other party, the danger zone, and how far up both reach.
+    // The path of the other party, the danger zone, and how far up both reach.
     let (other, zone, highest) = match (&scene.same_line, clears) {
         (Some(line), _) => {
             let at = |k: u32| {
@@ -160,7 +161,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     }
 }
 
-/// (s) between two places of the ways.
+/// (s) between two places of the paths.
 const APART: f64 = 0.5;
 /// How many of them are shown beyond the demand and the free view.
 const MORE: f64 = 1.0;
@@ -194,11 +195,11 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
     let party = party(case);
     let is_eye = !obstacles.is_empty() || case.avoid.as_ref()?.sight.eye.is_some();
     let (subtitle, description) = if obstacles.is_empty() {
-        ("Before the impact", "The ways of both to the impact, seen from above.".to_owned())
+        ("Before the impact", "The paths of both to the impact, seen from above.".to_owned())
     } else {
         (
             "What the obstacles hide",
-            format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
+            format!("Obstacles and the paths of both to the impact, seen from above: {says}."),
         )
     };
     Some(SightPicture {
@@ -226,8 +227,8 @@ fn outcome(found: &Avoidance, run: &AvoidRun, units: Units) -> String {
         return format!("{name}: {stops}.");
     }
     let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
-    let place = other.map_or("at the place".to_owned(), |other| format!("reaches vehicle {other}"));
-    format!("{name}: {place} with {}{late}.", units.road_speed(run.collision_speed))
+    let place = other.map_or("reaches the place".to_owned(), |other| format!("reaches vehicle {other}"));
+    format!("{name}: {place} at {}{late}.", units.road_speed(run.collision_speed))
 }
 
 pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Option<ChancePicture> {
@@ -258,6 +259,6 @@ pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Op
         upward: Axis { title: "probability that it is avoided".to_owned(), unit: 1.0 },
         points: points.collect(),
         marks: vec![mark(scene.limit, "limit:"), mark(scene.speed, "driven:")],
-        legend: ["probability", "where it lies, as far as the sampling goes (95 %)"].map(str::to_owned),
+        legend: ["probability", "95 % interval from the sampling"].map(str::to_owned),
     })
 }

@@ -80,10 +80,10 @@ fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> Stri
     if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Measure::Energy, si);
         let why = match (agrees(analysis), analysis.basis) {
-            (true, Basis::Absorbed) => "restitution gives the rest back".to_owned(),
+            (true, Basis::Absorbed) => "restitution returns the rest".to_owned(),
             (true, Basis::TangentialShare(_)) => {
                 let share = basis::share(analysis.basis).unwrap_or_default();
-                format!("the crush takes {share} too")
+                format!("the crush also absorbs {share}")
             }
             _ => "the damage and the impact do not agree".to_owned(),
         };

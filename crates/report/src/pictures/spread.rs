@@ -63,7 +63,8 @@ pub(crate) fn histogram_picture(
     Some(HistogramPicture {
         subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),
         description: format!(
-            "{name}: {samples}, in {} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
+            "{name}: {samples}, in {} classes; the fullest has {} % of the samples. Ends of the 95 % interval \
+             and central value:",
             Classes::Fine.count(),
             number(most, 1)
         ),
@@ -201,8 +202,8 @@ fn input_in_words(path: &str) -> String {
     format!("{name}{of}")
 }
 
-/// The labels of a bar of a tornado, each with the end at which it stands. Two ends that are printed alike
-/// share one label, as do two ends on one side, where the shorter part of the bar lies on the longer one.
+/// The labels of a bar of a tornado, each with its end of the bar. Two ends that are printed alike share one
+/// label, as do two ends on one side, where the shorter part of the bar lies on the longer one.
 fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -> Vec<(f64, String)> {
     if let [Some(low), Some(high)] = ends {
         let longer = if (low - central).abs() > (high - central).abs() { low } else { high };

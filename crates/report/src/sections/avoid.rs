@@ -24,8 +24,8 @@ use crate::warnings::{message, special_codes};
 use crate::words::{quoted, run_words};
 
 /// What avoidability is not.
-const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of guilt: whether the driver had to reckon with the danger, had to \
-                        drive slower or could have been expected to react, is for the court.";
+const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing about guilt: whether the driver \
+ should have expected the danger, driven slower or reacted is for the court.";
 
 /// What the driver did and could have done, side by side, with the inputs, their sources and the conventions.
 #[must_use]
@@ -90,11 +90,11 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         }
     }));
     let above = scene.is_above_limit();
-    // What the verdicts say holds for one value of each number, where these are uncertain.
+    // The verdicts hold for one value of each number, if these are uncertain.
     let central = if found.chance.is_some() { ", by the central values" } else { "" };
     if !above {
         lines.push(format!(
-            "The vehicle was not faster than the limit of {limit} from there to the impact{central}"
+            "The vehicle did not exceed the limit of {limit} between the demand and the impact{central}"
         ));
     }
     // Below the limit, its own speed is what a run with a timely reaction has.
@@ -122,26 +122,27 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             )
         }
         (true, Some(gap)) => {
-            format!("Avoidable in space {at}{central}: it comes no nearer to vehicle {other} than {}", way(gap))
+            format!("Avoidable in space {at}{central}: it stays at least {} away from vehicle {other}", way(gap))
         }
         (false, _) => {
             let left = units.road_speed(scene.left_at_limit());
             match meeting.and_then(|meeting| meeting.other) {
                 None => format!(
-                    "Not avoidable in space {at}{central}: it reaches the place of the impact with {left}"
+                    "Not avoidable in space {at}{central}: it reaches the place of the impact at {left}"
                 ),
                 Some(speed) if scene.left_at_limit() <= 0.0 => format!(
                     "Not avoidable in space {at}{central}: it stops, and vehicle {other} then runs into it at {}",
                     units.road_speed(speed)
                 ),
                 Some(speed) => format!(
-                    "Not avoidable in space {at}{central}: it reaches vehicle {other} at {left}; vehicle {other} then has {}",
+                    "Not avoidable in space {at}{central}: it reaches vehicle {other} at {left}; the speed of \
+                     vehicle {other} is then {}",
                     units.road_speed(speed)
                 ),
             }
         }
     });
-    // One that stops before the place is not late, but never comes.
+    // A vehicle that stops before the place is not late: it never arrives.
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
         let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
@@ -172,7 +173,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     ));
     if let Some(sight) = scene.view.sight() {
         lines.push(format!(
-            "In sight without a break for the last {} and {} before the impact",
+            "Continuously in sight for the last {} and {} before the impact",
             units.format(Measure::Time, sight.time),
             units.format(Measure::Way, sight.distance_subject),
         ));
@@ -180,7 +181,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     lines
 }
 
-/// A probability in the digits that its inputs bear, if these do not round it to 0 or 1.
+/// A probability in the digits that its inputs justify, if these do not round it to 0 or 1.
 fn at_a_glance(probability: f64) -> String {
     if (0.005..0.995).contains(&probability) { number(probability, 2) } else { in_decimals(probability) }
 }
@@ -194,7 +195,7 @@ fn in_decimals(probability: f64) -> String {
     }
 }
 
-/// Its error, where three decimals show the probability.
+/// Its error, if three decimals show the probability.
 fn error_between(probability: f64, error: f64) -> Option<f64> {
     (LOW..HIGH).contains(&probability).then_some(error)
 }
@@ -203,15 +204,16 @@ fn error_between(probability: f64, error: f64) -> Option<f64> {
 const LOW: f64 = 0.0005;
 const HIGH: f64 = 0.9995;
 
-/// What speaks against the inputs of a question whether a collision was avoidable, in sentences.
+/// Objections to the inputs of an avoidability question, as sentences.
 #[must_use]
 pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let deceleration = found.scene.response.deceleration();
     let share = deceleration / STANDARD_GRAVITY;
     let hard = (share > GREATEST_LISTED).then(|| {
         format!(
-            "The deceleration of the inputs, {}, is {} g. On new dry asphalt or concrete, the manual of EDCRASH lists friction of at most \
-             1.00 above 48 km/h (30 mph), and 1.20 below: check the deceleration, or name the test from which it comes.",
+            "The deceleration of the inputs, {}, is {} g. For new dry asphalt or concrete, the EDCRASH manual \
+             lists friction of at most 1.00 above 48 km/h (30 mph) and 1.20 below: check the deceleration, or \
+             name the test behind it.",
             units.format(Measure::Acceleration, deceleration),
             number(share, 2)
         )
@@ -219,15 +221,15 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let lead = found.scene.view.sight().map(|sight| found.scene.time - sight.time);
     let early = lead.filter(|lead| *lead > SAME_MOMENT).map(|lead| {
         format!(
-            "The reaction demand lies {} before the moment at which the other party came into sight: say in its `reason` what the driver \
-             could recognize the danger by, or write demand = {{ sight = true }}.",
+            "The reaction demand is {} before the other party came into sight: say in its `reason` how the \
+             driver could recognize the danger, or write demand = {{ sight = true }}.",
             units.format(Measure::Time, lead)
         )
     });
     let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
         format!(
-            "The case says how the vehicle moved only from {} after the reaction demand on. For the time before, the answer assumes the \
-             speed at that moment; the probability does not include the error of this assumption.",
+            "The case shows how the vehicle moved only from {} after the reaction demand. Before that, the \
+             answer assumes the speed at that moment; the probability does not include the error of this assumption.",
             units.format(Measure::Time, begins)
         )
     });
@@ -268,8 +270,9 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
     let line = units.format(Measure::Angle, COLLINEAR);
     if found.scene.same_line.is_some() {
         return Some(format!(
-            "The directions of both vehicles are {angle} from one line. Up to {line} counts as one line; beyond that, the answer takes \
-             the place of the impact as fixed, and differs. The probability does not include a range of the headings."
+            "The directions of the two vehicles are {angle} off one line. Up to {line} counts as one line; \
+             beyond that, the answer would take the place of the impact as fixed, and differ. The probability \
+             does not include a range of the headings."
         ));
     }
     let moved = match (off.along, is_on_line) {
@@ -283,7 +286,7 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
             format!("Vehicle {other} faced vehicle {vehicle} on nearly the same line. If it was moving,")
         }
         (Along::Oncoming, false) => {
-            format!("Vehicle {other} came towards vehicle {vehicle}, only {angle} off its line, so that")
+            format!("Vehicle {other} approached vehicle {vehicle}, only {angle} off its line, so")
         }
     };
     let errs = match off.along {
@@ -292,15 +295,16 @@ fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
              takes the place of the impact as fixed, and so asks more of the driver than was needed."
         ),
         Along::Oncoming => format!(
-            "stopping before the place of the impact avoids the collision only if vehicle {other} stops or gives way, too. The \
-             answer takes that place as fixed, and so asks less of the driver than was needed."
+            "stopping before the place of the impact avoids the collision only if vehicle {other} also stops \
+             or gives way. The answer takes that place as fixed, and so asks less of the driver than was needed."
         ),
     };
     let remedy = if is_on_line {
         format!("Give `speed` in [vehicle{other}], and the answer takes its motion into account.")
     } else {
         format!(
-            "Up to {line}, the answer takes such a motion into account; if the vehicles did move along one line, give their headings so."
+            "Up to {line}, the answer takes such a motion into account; if the vehicles did move along one \
+             line, give headings that say so."
         )
     };
     Some(format!("{moved} {errs} {remedy}"))
@@ -311,8 +315,8 @@ fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
     let other = found.vehicle.other();
     let [by_demand, known] = found.other_speeds?.map(|speed| units.road_speed(speed));
     Some(format!(
-        "By `demand`, vehicle {other} came to the impact at {by_demand}, by the rest of the case at {known}. The answer takes the time \
-         from the demand, and all else from the rest: correct one of them."
+        "By `demand`, vehicle {other} reached the impact at {by_demand}; by the rest of the case, at {known}. \
+         The answer takes the time from the demand and all else from the rest: correct one of them."
     ))
 }
 
@@ -320,8 +324,8 @@ fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
 fn of_recorder(found: &Avoidance, units: Units) -> Option<String> {
     let [used, recorded] = found.own_speeds?.map(|speed| units.road_speed(speed));
     Some(format!(
-        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct one of them, or give no \
-         speed: the recorder then tells it.",
+        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct \
+         one of them, or give no speed: the recorder then gives it.",
         found.vehicle
     ))
 }
@@ -342,13 +346,13 @@ fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
         return Vec::new();
     }
     vec![format!(
-        "The speed is that of `deltav {command}`, whose report warns: {}. Read it before you use the speed.",
+        "The speed is from `deltav {command}`, whose report warns: {}. Read it before you use the speed.",
         codes.join(", ")
     )]
 }
 
-/// Where the marks show a better driver or better brakes than the inputs of `[avoid]`, which then give no run
-/// that is better than what happened.
+/// If the marks show a better driver or better brakes than the inputs of `[avoid]`, these give no run better
+/// than what happened.
 fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     let ActualRun::Skidded(shown) = found.scene.actual else { return Vec::new() };
     let given = found.scene.response;
@@ -356,17 +360,17 @@ fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     let rate = |si: f64| units.format(Measure::Acceleration, si);
     let sooner = (shown.reaction() < given.reaction() - SAME_REACTION).then(|| {
         format!(
-            "The marks show that the driver braked {} after the demand, sooner than the reaction time of the inputs, {}: a run with \
-             that reaction is worse than what happened. Check the demand and the reaction time; with the braking that the marks \
-             show, the table has the run at the limit, else as it was.",
+            "The marks show that the driver braked {} after the demand, sooner than the reaction time of the \
+             inputs, {}: a run with that reaction is worse than what happened. Check the demand and the \
+             reaction time; the run at the limit, else as it was, has the braking that the marks show.",
             time(shown.reaction()),
             time(given.reaction())
         )
     });
     let harder = (shown.deceleration() > given.deceleration() * (1.0 + SAME_RATE)).then(|| {
         format!(
-            "The marks show a deceleration of {}, more than the full braking of the inputs, {}: a run with that braking is worse than \
-             what happened. Give the greater of both as `deceleration`.",
+            "The marks show a deceleration of {}, more than the full braking of the inputs, {}: a run with \
+             that braking is worse than what happened. Give the greater of the two as `deceleration`.",
             rate(shown.deceleration()),
             rate(given.deceleration())
         )
@@ -396,9 +400,9 @@ const GREATEST_LISTED: f64 = 1.0;
 
 fn how(found: &Avoidance, units: Units) -> String {
     let speed = match found.speed_from {
-        SpeedSource::AtDemand => "The speed is that of [avoid]",
-        SpeedSource::AtImpact => "The speed at the impact is that of the case",
-        SpeedSource::Reconstructed => "The speed at the impact is that of `deltav reconstruct`",
+        SpeedSource::AtDemand => "The speed is from [avoid]",
+        SpeedSource::AtImpact => "The speed at the impact is from the case",
+        SpeedSource::Reconstructed => "The speed at the impact is from `deltav reconstruct`",
         SpeedSource::Estimated => {
             let exact = found.exact_speed().map(|exact| {
                 let exact = units.road_speed(exact);
@@ -415,11 +419,11 @@ fn how(found: &Avoidance, units: Units) -> String {
             });
             let doubt = doubt.unwrap_or_default();
             &format!(
-                "The speed at the impact is the median of `deltav estimate`, by all evidence{exact}{doubt}"
+                "The speed at the impact is the median of `deltav estimate`, from all evidence{exact}{doubt}"
             )
         }
         SpeedSource::Phases => "The speed at the impact follows from the phases before it",
-        SpeedSource::Recorder => "The speed at the impact is the median by the table of the recorder",
+        SpeedSource::Recorder => "The speed at the impact is the median from the recorder's table",
     };
     format!("Time and distance count from the reaction demand (theory 13). {speed}.")
 }
@@ -483,7 +487,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         Some(GivenDemand::Distance(distance)) => row("demand: distance", "avoid.demand.distance", distance),
         Some(GivenDemand::Time(time)) => row("demand: time", "avoid.demand.time", time),
         Some(GivenDemand::Other(OtherApproach { distance, speed, acceleration })) => {
-            row("demand: other's way", "avoid.demand.other.distance", distance);
+            row("demand: other's path", "avoid.demand.other.distance", distance);
             if let Some(acceleration) = acceleration {
                 row("other's acceleration", "avoid.demand.other.acceleration", acceleration);
             }
@@ -503,14 +507,14 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
             GivenWayOut::Outlines => by_outlines = found.scene.clears,
         }
         match speed {
-            Some(speed) => row("speed on that way", "avoid.clear.speed", speed),
+            Some(speed) => row("speed to clear zone", "avoid.clear.speed", speed),
             None => goes_on = true,
         }
     }
     if let Some(clears) = by_outlines {
         table.note(format!(
-            "From the impact, the other vehicle goes {}{} until its outline has left the strip that vehicle {} sweeps, each \
-             straight along its heading.",
+            "From the impact, the other vehicle travels {}{} until its outline has left the strip that vehicle \
+             {} sweeps; each moves straight along its heading.",
             units.format(Measure::Way, clears.distance),
             if clears.backs { " backward" } else { "" },
             found.vehicle
@@ -519,15 +523,17 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     if goes_on {
         let speed = found.scene.clears.map(|clears| clears.distance / clears.after);
         table.note(match (&given.demand, speed) {
-            (Some(GivenDemand::Other(_)), _) | (_, None) => "The other party moves on as it came.".to_owned(),
+            (Some(GivenDemand::Other(_)), _) | (_, None) => {
+                "The other party continues as it approached.".to_owned()
+            }
             (_, Some(speed)) => format!(
-                "The other party moves on with the speed of its vehicle at the impact, {}.",
+                "The other party continues at the speed of its vehicle at the impact, {}.",
                 units.road_speed(speed)
             ),
         });
     }
     if given.swell.is_none() {
-        table.note("The build-up time of the brakes is 0, as the case gives none.");
+        table.note("The brake build-up time is 0 because the case gives none.");
     }
     if given.speed.is_none() {
         table.note(format!(
@@ -538,14 +544,14 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     let missing = analysis::without_source(given);
     if !missing.is_empty() {
         table.note(format!(
-            "Without a source: {}. An input without an origin is worth little before a court.",
+            "Without a source: {}. An input without an origin is worth little in court.",
             missing.join(", ")
         ));
     }
     table
 }
 
-/// How the other party came.
+/// How the other party approached.
 fn manner(other: &OtherApproach) -> String {
     let of = |sourced: &Sourced| sourced.quantity.to_string();
     match (&other.acceleration, &other.speed) {
@@ -564,14 +570,12 @@ fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
     let by = match &given.demand {
         Some(GivenDemand::Other(other)) => {
             format!(
-                " It follows from the way of the other party, {} {}.",
+                " It follows from the other party's approach, {} {}.",
                 other.distance.quantity,
                 manner(other)
             )
         }
-        Some(GivenDemand::Sight) => {
-            " It is the moment from which no obstacle hides the other party.".to_owned()
-        }
+        Some(GivenDemand::Sight) => " From that moment, no obstacle hides the other party.".to_owned(),
         _ => String::new(),
     };
     let is_sight = matches!(given.demand, Some(GivenDemand::Sight));
@@ -591,14 +595,14 @@ fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
     )
 }
 
-/// Since when the view was free, and how that is known; the plan of both, if the case tells how they came.
+/// When the view became clear, and how that is known; the plan of both, if the case says how they approached.
 fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
     match found.scene.view {
         View::Open => {}
         View::NeverHidden => {
             page.heading("Sight");
             page.paragraph(format!(
-                "The obstacles hide {} at no time in the {SIGHT_LOOK_BACK} s before the impact.",
+                "The obstacles never hide {} in the {SIGHT_LOOK_BACK} s before the impact.",
                 party(case)
             ));
         }
@@ -626,7 +630,7 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
         table.row([label, units.format(measure, value), ends(interval, measure, units)]);
     };
     row(
-        "in sight without a break before the impact".to_owned(),
+        "continuously in sight before the impact".to_owned(),
         Measure::Time,
         sight.time,
         intervals.map(|of| &of.time),
@@ -646,8 +650,8 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     table.notes.extend(hidden(case, found.hiding.as_ref(), units));
     if let Some(share) = intervals.map(|of| of.never_hidden).filter(|share| *share > 0.0) {
         table.note(format!(
-            "In {} of the samples, the obstacles hide nothing in the {SIGHT_LOOK_BACK} s before the impact; the intervals are those of the \
-             others.",
+            "In {} of the samples, the obstacles hide nothing in the {SIGHT_LOOK_BACK} s before the impact; \
+             the intervals come from the others.",
             number(share, 3)
         ));
     }
@@ -722,12 +726,12 @@ fn ways(case: &Case) -> String {
         }
     };
     let way = |other: &OtherMotionForm| match (&other.braking, other.speed) {
-        (BrakingForm::Phases(_), _) => "as its phases tell".to_owned(),
-        (BrakingForm::Skid { .. }, _) => "as its skid marks tell".to_owned(),
-        (BrakingForm::Recorded { .. }, _) => "as its recorder tells".to_owned(),
+        (BrakingForm::Phases(_), _) => "as its phases show".to_owned(),
+        (BrakingForm::Skid { .. }, _) => "as its skid marks show".to_owned(),
+        (BrakingForm::Recorded { .. }, _) => "as its recorder shows".to_owned(),
         (BrakingForm::Unknown | BrakingForm::Unbraked, speed) => {
             let known = |speed| format!("at a constant {speed}");
-            speed.map_or_else(|| "at the speed that the evidence tells".to_owned(), known)
+            speed.map_or_else(|| "at the speed that the evidence gives".to_owned(), known)
         }
     };
     format!(
@@ -808,7 +812,7 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     table
 }
 
-/// Where a collision is: at the place of the impact, or with a vehicle that moves wherever that is.
+/// Where a collision is: at the place of the impact, or wherever a moving vehicle then is.
 fn place(found: &Avoidance) -> &'static str {
     if found.on_line().is_some() { "contact" } else { "place" }
 }
@@ -861,32 +865,35 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
         ActualRun::Responded => {
             let recorder = case.vehicles[found.vehicle.index()].recorder.as_ref();
             let unknown = if recorder.is_some_and(|recorder| recorder.before_impact().is_some()) {
-                "The speed of [avoid] takes the place of the recorder's table, so that nothing says how the vehicle came to the impact; \
-                 without `speed` in [avoid], the table does."
+                "The speed in [avoid] replaces the recorder's table, so nothing shows how the vehicle \
+                 approached; without `speed` in [avoid], the table does."
             } else {
                 "Nothing in the case says how the vehicle moved before the impact."
             };
             format!(
-                "{unknown} The program assumes that its driver reacted and braked as the inputs say, in time and fully. If that is wrong, \
-                 set `unbraked = true`, or give the speed at the impact, skid marks, phases or the table of a recorder."
+                "{unknown} The program assumes that its driver reacted and braked as the inputs say, in time \
+                 and fully. If that is wrong, set `unbraked = true`, or give the speed at the impact, skid \
+                 marks, phases or a recorder's table."
             )
         }
         ActualRun::Unbraked(why) => {
             let why = match why {
                 Unbraked::Stated => "The case says that the vehicle did not brake before the impact.".to_owned(),
                 Unbraked::NothingKnown => {
-                    "The case gives the speed at the impact, and nothing that says that the vehicle braked before it: it is taken to have come \
-                     with that speed from the demand on."
+                    "The case gives the speed at the impact, and no braking before it: the vehicle is taken to \
+                     have held that speed from the demand on."
                         .to_owned()
                 }
                 Unbraked::WouldHaveStopped if scene.same_line.is_some() => format!(
-                    "With the reaction and braking of the inputs, the vehicle would not have caught up with vehicle {} at the place of the \
-                     impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
+                    "With the reaction and braking of the inputs, the vehicle would not have caught up with \
+                     vehicle {} at the place of the impact. So its driver reacted later, or not at all; the \
+                     vehicle is taken to have approached unbraked.",
                     found.vehicle.other()
                 ),
                 Unbraked::WouldHaveStopped => format!(
-                    "With the reaction and braking of the inputs, the vehicle would have stopped after {}, before the place of the \
-                     impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
+                    "With the reaction and braking of the inputs, the vehicle would have stopped after {}, \
+                     before the place of the impact. So its driver reacted later, or not at all; the vehicle \
+                     is taken to have approached unbraked.",
                     units.format(Measure::Way, response.stopping_distance(*speed))
                 ),
             };
@@ -903,8 +910,8 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
         }
         ActualRun::Skidded(slowed) => {
             format!(
-                "The skid says when the brakes took hold: {} after the demand, {}. The deceleration of the skid, {}, is that of its \
-                 friction.",
+                "The skid shows when the brakes took effect: {} after the demand, {}. The deceleration in the \
+                 skid, {}, follows from its friction.",
                 time(slowed.reaction()),
                 against_inputs(slowed.reaction() - response.reaction(), units),
                 units.format(Measure::Acceleration, slowed.deceleration()),
@@ -912,13 +919,11 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
         }
         ActualRun::Driven(by) => {
             let by = match by {
-                DrivenBy::Phases => {
-                    "The phases of the case say how the vehicle came to the impact.".to_owned()
-                }
+                DrivenBy::Phases => "The phases in the case show how the vehicle approached.".to_owned(),
                 DrivenBy::Recorder => format!(
-                    "The table of the recorder says how the vehicle came to the impact. Its speeds are corrected for the slip of the \
-                     wheels: the usual one, adjusted by what the speed at the impact tells of it. They change evenly from sample \
-                     to sample, and the speed at the impact replaces the samples of the last {}.",
+                    "The recorder's table shows how the vehicle approached. Its speeds are corrected for wheel \
+                     slip: the usual slip, adjusted by what the speed at the impact shows of it. They change \
+                     evenly from sample to sample, and the speed at the impact replaces the samples of the last {}.",
                     time(GIVES_WAY)
                 ),
             };
@@ -935,7 +940,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
                 ),
             };
             let goes_on = if scene.accelerates() {
-                " In a run with a reaction, it accelerates as it did until the brakes take effect."
+                " In a run with a reaction, it keeps accelerating as it did until the brakes take effect."
             } else {
                 ""
             };
@@ -949,21 +954,22 @@ fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
     let other = found.vehicle.other();
     let way = match line.along {
         Along::Ahead => "moved ahead in the same direction".to_owned(),
-        Along::Oncoming => format!("came towards vehicle {} on the same line", found.vehicle),
+        Along::Oncoming => format!("approached vehicle {} on the same line", found.vehicle),
     };
     let goes_on = if line.speed <= 0.0 {
-        "it stands".to_owned()
+        "it is at rest".to_owned()
     } else if line.deceleration > 0.0 {
         format!(
-            "it keeps braking with {} until it stands",
+            "it keeps braking at {} until it stops",
             units.format(Measure::Acceleration, line.deceleration)
         )
     } else {
         "it keeps that speed".to_owned()
     };
     format!(
-        "Vehicle {other} {way}. At the demand it was {} away, and at the impact it had {}. Every other run assumes the same motion up to \
-         that moment; from then on, {goes_on}. They collide where vehicle {} reaches it, wherever that is.",
+        "Vehicle {other} {way}. At the demand it was {} away, and its speed at the impact was {}. Every other \
+         run assumes the same motion up to that moment; from then on, {goes_on}. They collide where vehicle {} \
+         reaches it, wherever that is.",
         units.format(Measure::Way, line.gap),
         units.road_speed(line.speed),
         found.vehicle,
@@ -981,7 +987,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
-        // Where even a stationary vehicle is reached, no speed avoids it.
+        // If even a stationary vehicle is reached, no speed avoids it.
         let is_none = found.on_line().is_some() && label.starts_with("in ") && speed <= 0.0;
         table.row([
             label.to_owned(),
@@ -999,7 +1005,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     if let Some(temporal) = scene.temporal() {
         let interval = chance.and_then(|chance| chance.temporal.as_ref());
         row(
-            "in time: it comes when the zone is clear",
+            "in time: it arrives when the zone is clear",
             temporal,
             interval,
             avoidable(scene.is_late_at_limit() == Some(true)),
@@ -1039,7 +1045,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         if deceleration == Some(0.0) {
             let unbraked = match found.on_line().filter(|_| !is_in_time) {
                 Some(other) => format!("any: without braking, it does not reach vehicle {other}"),
-                None => "any: without braking, the vehicle comes late enough".to_owned(),
+                None => "any: without braking, the vehicle arrives late enough".to_owned(),
             };
             return [unbraked.clone(), unbraked];
         }
@@ -1052,7 +1058,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         [of_tyres, of(Measure::Time, reaction, "at most")]
     };
     let [deceleration, reaction] = braking([enough.deceleration, enough.reaction]);
-    // Who was not faster than the limit is asked at the speed driven alone.
+    // A vehicle that was not faster than the limit is judged at the speed driven alone.
     let at_limit = found.scene.is_above_limit().then(|| {
         let [deceleration, reaction] = braking([enough.deceleration_at_limit, enough.reaction_at_limit]);
         [("Deceleration, at the limit", deceleration), ("Reaction time, at the limit", reaction)]
@@ -1092,16 +1098,17 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let error = error.map_or_else(String::new, |error| format!("± {}", number(error, 4)));
     row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
     let stopped = if found.on_line().is_some() {
-        "… as it does not reach the other vehicle"
+        "… because it does not reach the other vehicle"
     } else {
-        "… as it stops before the place of the impact"
+        "… because it stops before the place of the impact"
     };
     row(stopped, chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
     table.note(format!(
-        "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit. With all else \
-         kept, it is that of Davis 2003. ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
+        "The share without a collision, of {} samples of all that is uncertain, once the speed is lowered to \
+         the limit. With all else kept, it is the probability of Davis 2003. ± is the sampling error. The \
+         demand was {} to {} and {} to {} before the impact (95 %).",
         grouped(chance.possible),
         units.format(Measure::Way, chance.distance.low),
         units.format(Measure::Way, chance.distance.high),
@@ -1119,8 +1126,8 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let impossible = chance.samples - chance.possible - chance.stationary;
     if impossible > 0 {
         table.note(format!(
-            "{} more samples do not count, because they describe no possible scene: the brakes took hold before the demand, for example, or \
-             the vehicle did not catch up with the other.",
+            "{} more samples do not count, because they describe no possible scene: for example, the brakes \
+             took effect before the demand, or the vehicle did not catch up with the other.",
             grouped(impossible)
         ));
     }
@@ -1136,8 +1143,8 @@ fn influences(chance: &AvoidChance) -> Table {
         table.row([name, number(influence.difference, 3)]);
     }
     table.note(
-        "The probability that it is avoided at the limit, among the samples in which the number is above its median, less that among the \
-         others.",
+        "The probability that it is avoided at the limit, among the samples with the number above its median, \
+         minus that among the others.",
     );
     table
 }
@@ -1150,7 +1157,7 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         Swell::Half => {
             "half the full deceleration acts during the swell: S = v (t_R + t_S/2) + v²/2a − a t_S²/8"
         }
-        Swell::FullSpeed => "the swell is driven at full speed: S = v (t_R + t_S) + v²/2a",
+        Swell::FullSpeed => "the vehicle keeps its full speed during the swell: S = v (t_R + t_S) + v²/2a",
     };
     let mut list = vec![
         format!("Convention of the swell: {form}. Others give other speeds."),
@@ -1161,8 +1168,8 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         }
         .to_owned(),
         format!(
-            "Avoidable in time: it comes so much later that {} has left the danger zone. It comes second to avoidable in space, and only \
-             where it is certain that the other moved and could not stop.",
+            "Avoidable in time: it arrives so much later that {} has left the danger zone. This ranks second \
+             to avoidable in space, and holds only if the other certainly moved and could not stop.",
             party(case)
         ),
         "Distances count from the reaction demand, not from the reaction; the demand is the place where the danger could first be recognized."
@@ -1178,16 +1185,16 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     if found.runs.iter().any(|run| run.delta_v.is_some()) {
         list.push(
-            "ΔV is that of the impact solved again with the lower speed, and all else of it as it was; where `deltav estimate` gives the \
-             speed, all ΔV are in proportion to its ΔV of what happened. The other party comes to the place at another time, which is \
-             left aside."
+            "ΔV is that of the impact solved again at the lower speed, with all else as it was; if `deltav \
+             estimate` gives the speed, each ΔV is scaled from its ΔV of what happened. That the other party \
+             reaches the place at another time is ignored."
                 .to_owned(),
         );
     }
     if let Some(off) = case.off_the_line().filter(|_| found.on_line().is_some()) {
         list.push(format!(
-            "Both vehicles are taken to move along one line. Their headings are {} from it; up to {} counts as one line, and ranges of \
-             the headings do not change that.",
+            "Both vehicles are taken to move along one line. Their headings are {} off it; up to {} counts as \
+             one line, and ranges of the headings do not change that.",
             units.format(Measure::Angle, off.angle),
             units.format(Measure::Angle, COLLINEAR)
         ));
@@ -1195,8 +1202,8 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let other = &case.vehicles[found.vehicle.other().index()];
     if case.approach_angle().is_none() && !other.fixed && !other.is_absent() {
         list.push(
-            "The answer takes the place of the impact as fixed, which is right where the paths of both cross. If both travelled along one line, the \
-             place moves with the other vehicle: give `heading` of both."
+            "The answer takes the place of the impact as fixed, which is right if their paths cross. If both \
+             travelled along one line, the place moves with the other vehicle: give `heading` for both."
                 .to_owned(),
         );
     }

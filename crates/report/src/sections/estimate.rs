@@ -33,7 +33,7 @@ const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 /// The end of the key of another: the logarithm of a speed within certain limits.
 const LN_SPEED: &str = ".ln_speed";
 
-/// Whether no table shows an unknown number, as the results have it in other words.
+/// Whether no table shows an unknown number because the results have it in other words.
 fn is_hidden(unknown: &UnknownNumber) -> bool {
     HIDDEN.contains(&&*unknown.key) || unknown.key.ends_with(LN_SPEED)
 }
@@ -122,12 +122,12 @@ pub(super) fn missed(keys: &[String], certain: &[String]) -> String {
     let limits = if certain.is_empty() {
         String::new()
     } else {
-        format!(" Nothing outweighs {}, which counts as certain: check it, too.", quoted(certain, " and "))
+        format!(" Nothing outweighs what counts as certain ({}): check that, too.", quoted(certain, " and "))
     };
     format!(
-        "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
-         measured there, the contact points and the crush plane.{limits} If the vehicles left the impact as one wreck, \
-         write `locked_together = true` in [scene].",
+        "Even the nearest collisions miss {} by more than {MISSED} standard deviations. Check what was \
+         measured there, the contact points and the crush plane.{limits} If the vehicles left the impact as \
+         one wreck, write `locked_together = true` in [scene].",
         quoted(keys, " and ")
     )
 }
@@ -287,7 +287,7 @@ impl<'a> Page<'a> {
         )];
         if particles > self.asked.plan.particles {
             lines.push(format!(
-                "With the {} particles asked for, the run did not converge, so it was repeated with more.",
+                "The run did not converge with the {} particles requested, so it was repeated with more.",
                 grouped(self.asked.plan.particles)
             ));
         }
@@ -427,11 +427,11 @@ impl<'a> Page<'a> {
             words.push_str("A dash marks what only a run without the piece can show. ");
         }
         words.push_str(&format!(
-            "The p-value is the probability, given all other evidence, of an observation at least this far off. For \
-             the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's \
-             correction), so that, if all pieces are right, a warning appears in at most {} % of cases: if \
-             the product is below {DOUBTFUL}, the piece is doubtful; if the p-value itself is below \
-             {CONTRADICTS} too, the piece contradicts the other evidence. One right piece in 20 is borderline, \
+            "The p-value is the probability, given all other evidence, of an observation at least this far \
+             off. For the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's \
+             correction), so if all pieces are right, a warning appears in at most {} % of cases: if the \
+             product is below {DOUBTFUL}, the piece is doubtful; if the p-value itself is also below \
+             {CONTRADICTS}, the piece contradicts the other evidence. One right piece in 20 is borderline, \
              with a p-value below {BORDERLINE}.",
             number(100.0 * DOUBTFUL, 0)
         ));
@@ -461,10 +461,7 @@ impl<'a> Page<'a> {
         }
         let defaults = &self.estimated.default_errors;
         if !defaults.is_empty() {
-            table.note(format!(
-                "Errors that the case does not give, taken by default: {}.",
-                quoted(defaults, ", ")
-            ));
+            table.note(format!("Default errors, because the case gives none: {}.", quoted(defaults, ", ")));
         }
         self.document.push(table);
         for words in crush_words(self.estimated) {
@@ -531,11 +528,11 @@ impl<'a> Page<'a> {
         }
         let words = match self.estimated.prior {
             SeverityPrior::Field => {
-                "The severity is that of collisions after which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
-                 in [estimate], makes every speed equally likely."
+                "The severity is that of collisions in which a vehicle was towed; `--prior flat`, or `prior = \
+                 \"flat\"` in [estimate], makes every speed equally likely."
             }
             SeverityPrior::SeriousInjury => {
-                "The severity is that of collisions after which a vehicle was towed and in which somebody in either \
+                "The severity is that of collisions in which a vehicle was towed and somebody in either \
                  vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
             }
             SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as requested.",
@@ -561,8 +558,8 @@ impl<'a> Page<'a> {
             return;
         }
         self.document.paragraph(
-            "If somebody in either vehicle was seriously hurt (MAIS 3 or more), such collisions are more severe. With \
-             `--prior serious-injury`, or `prior = \"serious-injury\"` in [estimate], the answer is:",
+            "Collisions in which somebody in either vehicle was seriously hurt (MAIS 3 or more) are more \
+             severe. With `--prior serious-injury`, or `prior = \"serious-injury\"` in [estimate], the answer is:",
         );
         self.document.push(Block::List(told));
     }
@@ -625,9 +622,9 @@ impl<'a> Page<'a> {
 
     fn limits(&mut self) {
         self.document.paragraph(
-            "The errors of crush energies, PDOFs and recorders were fitted to 329 crashes of 2017 with \
-             recorders, of cars in the United States (docs/calibration.md): in other collisions they may be \
-             larger. The intervals contain the errors that are listed here, and no others.",
+            "The errors of crush energies, PDOFs and recorders were fitted to 329 crashes of cars with \
+             recorders in the United States in 2017 (docs/calibration.md): in other collisions they may be \
+             larger. The intervals include the errors listed here, and no others.",
         );
     }
 }

@@ -12,7 +12,7 @@ use crate::units::number;
 /// States that the crashes were chosen for an injury.
 pub(super) const CHOSEN: &str = "The crashes are assumed to have been chosen because somebody in either \
                                  vehicle was seriously hurt (MAIS 3 or more). Before the evidence, they are \
-                                 more severe than those after which a vehicle was towed.";
+                                 more severe than those in which a vehicle was towed.";
 
 /// Intervals of ΔV, estimated without the recorder, compared with the ΔV that it stored.
 #[must_use]
@@ -27,11 +27,11 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     let rows = if field.objects { "vehicles" } else { "pairs" };
     if field.objects {
         document.paragraph(format!(
-            "The program estimated the ΔV of {n} vehicles whose front struck an object, in {collisions} collisions, \
-             of {} in the file, from the damage, the PDOF and the mass. The recorder is not used as \
-             evidence. The speed is \
-             unknown, and the object does not move and takes no energy. The intervals are those of what the recorder \
-             should store, with its own error. Lines with damage other than to the front are not read.",
+            "The program estimated the ΔV of {n} vehicles whose front struck an object, in {collisions} \
+             collisions, of {} in the file, from the damage, the PDOF and the mass. The recorder is not used \
+             as evidence. The speed is unknown, and the object does not move or absorb energy. The intervals \
+             are for what the recorder should store, with its own error. Lines with damage other than to the \
+             front are not read.",
             field.pairs
         ));
     } else {
@@ -41,10 +41,9 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
             "the damage, the headings, the PDOF and the masses"
         };
         document.paragraph(format!(
-            "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, from \
-             {evidence}. The recorder of the judged vehicle is not used as evidence. Both speeds are \
-             unknown. The intervals \
-             are those of what the recorder should store, with its own error.",
+            "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, \
+             from {evidence}. The recorder of the judged vehicle is not used as evidence. Both speeds are \
+             unknown. The intervals are for what the recorder should store, with its own error.",
             field.pairs
         ));
     }

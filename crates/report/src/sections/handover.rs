@@ -141,7 +141,7 @@ pub fn handover(
         page.part("Sensitivity", super::sensitivity::sensitivity(case, sensitivity, units));
     }
     if !of_solution.is_empty() {
-        page.heading("What speaks against the exact solution");
+        page.heading("Objections to the exact solution");
         page.push(warnings::block(&of_solution, units));
     }
     page.heading(WARNINGS);
@@ -320,19 +320,19 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
                 String::new()
             };
             format!(
-                "{by_all}The interval by the ranges alone contains the errors of {} inputs, but neither those of the \
-                 {} that are taken as exact nor that of the method: \"{UNCERTAINTY}\" lists both.",
+                "{by_all}The interval by the ranges alone includes the errors of {} inputs, but neither those \
+                 of the {} taken as exact nor that of the method: \"{UNCERTAINTY}\" lists both.",
                 inputs.len(),
                 taken_as_exact.len()
             )
         }
         None if uncertainty.is_some() => {
-            "None of the inputs that have a range moves these figures, so they have no interval.".to_owned()
+            "No input with a range changes these figures, so they have no interval.".to_owned()
         }
         None => "The inputs are taken as exact, so these figures have no interval.".to_owned(),
     };
     if supplements.validation.is_some() {
-        how.push_str(&format!(" \"{ERROR_RATE}\" says how far the method is off on staged collisions."));
+        how.push_str(&format!(" \"{ERROR_RATE}\" shows how far the method is off on staged collisions."));
     }
     Block::Answer { found, how }
 }
@@ -400,14 +400,14 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
     uncertainty.outputs.iter().filter_map(line).collect()
 }
 
-/// (–) the level of the interval that the report leads with.
+/// (–) the level of the interval that the report shows first.
 const LEAD: f64 = 0.95;
 
 /// The error rate of the program by the comparison with staged collisions, for this analysis.
 fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation, units: Units) {
     if !analysis.is_reconstruction() {
         page.paragraph(
-            "This report reconstructs no speed; the error rate below is that of speeds which the program \
+            "This report reconstructs no speed; the error rate below is for speeds that the program \
              reconstructs from damage.",
         );
     }
@@ -431,8 +431,8 @@ fn method(page: &mut Document, analysis: &Analysis, axes: Axes, units: Units) {
             ),
             Basis::Absorbed => (
                 "is (1 − e²) times the crush energy",
-                "The crush energy is the energy absorbed at maximum engagement, of which restitution \
-                 returns the share e².",
+                "The crush energy is the energy absorbed at maximum engagement; restitution returns the share \
+                 e² of it.",
             ),
             Basis::TangentialShare(_) => (
                 "equals the crush energy",
@@ -445,7 +445,7 @@ fn method(page: &mut Document, analysis: &Analysis, axes: Axes, units: Units) {
             1 => "one admissible speed exists".to_owned(),
             several => format!(
                 "{several} admissible speeds exist, and of those within the limits of the vehicle's speed the \
-                 answer is the one with which the vehicles move least relative to each other"
+                 answer has the least motion of the vehicles relative to each other"
             ),
         };
         page.paragraph(format!(

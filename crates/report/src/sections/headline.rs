@@ -57,8 +57,8 @@ impl<'a> Headline<'a> {
                 if missed.is_empty() {
                     page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
                     page.paragraph(format!(
-                        "{because} So all the evidence was weighed, each piece by its error; the intervals contain the \
-                         errors of the method, too. `deltav estimate` shows the effect of each piece."
+                        "{because} So all the evidence was weighed, each piece by its error; the intervals \
+                         also include the errors of the method. `deltav estimate` shows the effect of each piece."
                     ));
                 } else {
                     page.push(Block::Answer {
@@ -174,13 +174,13 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
     let outside = [of("speed", speeds), of("ΔV", changes)].concat();
     // Without an answer there is no interval to lie outside of.
     if !outside.is_empty() && weighed.is_answer() {
-        reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
+        reasons.push(format!("outside the 95 % interval from all the evidence: {}", outside.join(", ")));
     }
     for id in VehicleId::ALL {
         let [found, given] = [solution.speeds, solution.differs_from].map(|speeds| speeds[id.index()]);
         if let (Some(found), Some(given)) = (found, given) {
             let [found, given] = [found, given].map(|si| units.format(Measure::RoadSpeed, si));
-            reasons.push(format!("gives vehicle {id} {found}, where the case has {given}"));
+            reasons.push(format!("gives vehicle {id} {found}, but the case has {given}"));
         }
     }
     reasons.extend(solution.energy_share.map(takes));
@@ -195,11 +195,11 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
     }
     if reasons.is_empty() {
         let compared = if weighed.is_answer() {
-            "nothing speaks against it"
+            "nothing contradicts it"
         } else {
             "it was not compared with the rest of the evidence"
         };
-        format!("{compared}; it has no interval, as its evidence is taken as exact")
+        format!("{compared}; it has no interval because its evidence is taken as exact")
     } else {
         format!("against it: {}", reasons.join("; "))
     }

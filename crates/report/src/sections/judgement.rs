@@ -114,7 +114,7 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
                 .iter()
                 .any(|other| other.purpose == *on && other.obstacle.as_ref() == Some(obstacle));
         if is_told {
-            table.row([purpose.to_string(), format!("cannot run, as {on} cannot")]);
+            table.row([purpose.to_string(), format!("cannot run because {on} cannot")]);
             continue;
         }
         table.row([purpose.to_string(), "cannot run".to_owned()]);

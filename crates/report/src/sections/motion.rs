@@ -59,9 +59,9 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
             point_masses(both)
         ),
         BothMethod::Wall { vehicle, restitution } => format!(
-            "The object that vehicle {vehicle} hit is fixed and takes momentum, so that the speed follows from {left}, and \
-             from the restitution of {} that the case gives: along the normal the vehicle comes back with that share of \
-             its speed (theory 10).",
+            "The object that vehicle {vehicle} hit is fixed and takes momentum, so the speed follows from \
+             {left}, and from the restitution of {} that the case gives: along the normal the vehicle rebounds \
+             with that share of its speed (theory 10).",
             number(*restitution, 4)
         ),
         BothMethod::MomentumAndCrush { crush_energy, admissible, .. } => {
@@ -76,7 +76,7 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
                 Basis::TangentialShare(_) => format!(", which equals {}", basis::work(analysis.basis)),
             };
             format!(
-                "The headings differ by {angle}, within {}° of one line, where momentum alone does not give both \
+                "The headings differ by {angle}, within {}° of one line, so momentum alone does not give both \
                  speeds. They follow from momentum along that line and {left}, and from the crush energy, \
                  {energy} (theory 10){stands_for}. {pairs}.",
                 number(COLLINEAR.to_degrees(), 0)
@@ -131,14 +131,14 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
             TravelOrigin::Impact | TravelOrigin::Given => {}
             TravelOrigin::Rest => {
                 let others = match travel.likely_others().count() {
-                    0 => "No other likely motion was found that leads there".to_owned(),
-                    1 => "One other motion leads there as well".to_owned(),
-                    several => format!("{several} other motions lead there as well"),
+                    0 => "No other likely motion was found that reaches it".to_owned(),
+                    1 => "One other motion reaches it as well".to_owned(),
+                    several => format!("{several} other motions reach it as well"),
                 };
                 let miss = travel.miss().map_or(0.0, |(miss, _)| miss);
                 how.push_str(&format!(
-                    " The motion of vehicle {id} after the impact was found as the one that leads to its \
-                     rest, to within {}. {others}.",
+                    " The motion of vehicle {id} after the impact is the one that brings it to its rest, \
+                     within {}. {others}.",
                     apart(miss)
                 ));
             }
@@ -146,9 +146,8 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
                 let measured = travel.measured.map(|rest| rest.position - travel.start.position);
                 let length = measured.map_or(travel.rest.distance, |way| way.norm());
                 how.push_str(&format!(
-                    " By EDCRASH's rule, vehicle {id} did not spin: it is taken to have left straight \
-                     towards its rest, without yaw, at the speed that carries it {}, the distance at which \
-                     it was found.",
+                    " By EDCRASH's rule, vehicle {id} did not spin: it is taken to have left straight towards \
+                     its rest, without yaw, at the speed that carries it {}, the distance to where it was found.",
                     apart(length)
                 ));
             }
@@ -189,7 +188,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
         note.push_str(if both.one_velocity {
             " The case gives one velocity for both vehicles and no yaw rate: they left as one body that did not turn."
         } else if both.implied.is_yaw_known {
-            " The restitution is that of the motions at C: of the velocities, and of the yaw rates that are known."
+            " The restitution is that of the motions at C, from the velocities and the known yaw rates."
         } else {
             " No yaw rate after the impact is known, so the restitution is that after the impulse at C, under which both \
              vehicles are free to turn."
@@ -232,7 +231,7 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     Some([whole, of_vehicles])
 }
 
-/// The most likely combinations of starts that lead to the rest positions, and the objections to each; `None`
+/// The most likely combinations of starts that reach the rest positions, and the objections to each; `None`
 /// unless there are several.
 fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     if both.combinations.len() < 2 {
@@ -240,11 +239,11 @@ fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     }
     let speed = units.name(Measure::Speed);
     let mut table = Table::new("Motions that reach the rest positions").columns([
-        Column::words("turned on the way", Width::Fit(20)),
+        Column::words("turned on the path", Width::Fit(20)),
         Column::numbers("speed 1", Width::Fit(10)).unit(speed),
         Column::numbers("speed 2", Width::Fit(10)).unit(speed),
         Column::numbers("weight", Width::Fit(8)),
-        Column::words("what speaks against it", Width::Share),
+        Column::words("objections", Width::Share),
     ]);
     for combination in both.combinations.iter().take(LISTED) {
         let turn =
@@ -257,7 +256,7 @@ fn combinations(both: &BothFound, units: Units) -> Option<Table> {
             one,
             two,
             number(combination.weight, 3),
-            if against.is_empty() { "nothing".to_owned() } else { against.join("; ") },
+            if against.is_empty() { "none".to_owned() } else { against.join("; ") },
         ]);
     }
     table.note(
@@ -314,7 +313,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     };
     way.pair("heading at rest as measured", each(&heading), "");
     let miss = |travel: &Travel| {
-        // A start that was solved for leads to the rest by construction.
+        // A start that was solved for reaches the rest by construction.
         if travel.origin == TravelOrigin::Rest {
             return Some("none: solved for".to_owned());
         }

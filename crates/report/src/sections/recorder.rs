@@ -106,12 +106,12 @@ fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
         .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
         .filter(|(_, time)| *time < 0.0)
-        .map(|(id, time)| format!("the last speed of vehicle {id} is that of {} s", number(time, 2)))
+        .map(|(id, time)| format!("the last speed of vehicle {id} is at {} s", number(time, 2)))
         .collect();
     let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
     format!(
-        "0 is the impact for both records{early}. The distance is that to the last sample of each, straight between its \
-         samples."
+        "0 is the impact for both records{early}. The distance is to the last sample of each, linear between \
+         its samples."
     )
 }
 
@@ -175,8 +175,8 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
     table.note(if known.is_empty() {
-        "The case tells neither the ΔV nor the direction of its impact: give `pdof`, or `[impact]` with the headings and contact points of \
-         both vehicles; for the ΔV, the crush of both."
+        "The case gives neither the ΔV nor the direction of its impact: give `pdof`, or `[impact]` with the \
+         headings and contact points of both vehicles; for the ΔV, the crush of both."
             .to_owned()
     } else {
         let by_plane = if errors.direction > MatchErrors::default().direction {
@@ -185,9 +185,9 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
             ""
         };
         format!(
-            "The damage shows {}.{by_plane} The records are compared with it, with errors (standard deviations) of \
-             {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no impact that is \
-             listed here.",
+            "The damage shows {}.{by_plane} The records are compared with it, with errors (standard \
+             deviations) of {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no \
+             impact listed here.",
             known.join(" and "),
             degrees(errors.direction),
             number(100.0 * errors.size, 0),
@@ -235,7 +235,7 @@ fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSo
     for LeftTable { headings, reason } in &table.left {
         let headings: Vec<String> =
             headings.iter().map(|heading| format!("\"{}\"", case::shown(heading))).collect();
-        rows.note(format!("Not read: {}, as {reason}.", headings.join(", ")));
+        rows.note(format!("Not read: {}, because {reason}.", headings.join(", ")));
     }
     page.push(rows);
     if table.counted_down {
@@ -293,11 +293,10 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
         "are exact".to_owned()
     };
     page.paragraph(format!(
-        "The distance is that to the last sample. It lies between \"at least\" and \"at most\" for every course of the speed \
-         that changes by 1 g at most, either way, and whose stored values {rounding}. \"Left\" holds each \
-         speed until the next sample and \"right\" from the one before; \"between\" is straight. A speed \
-         that reads low, as in braking, makes all of \
-         them too short.",
+        "The distance is to the last sample. It lies between \"at least\" and \"at most\" if the speed changes \
+         by at most 1 g either way and the stored values {rounding}. \"Left\" holds each speed until the next \
+         sample and \"right\" from the one before; \"between\" is linear. A speed that reads low, as in \
+         braking, makes all of them too short.",
     ));
     steep(page, found);
     if let Some(speed) = &found.speed {
@@ -310,8 +309,9 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
             };
             let share = number(100.0 * fall.probability, 0);
             page.paragraph(format!(
-                "The last speed is {} below that of {} s, a deceleration of {} g. Few tyres slow a vehicle by more than 1 g, and none by \
-                 more than {} g. {why} The earlier speed has a weight of {share} %, the last one the rest.",
+                "The last speed is {} below that at {} s, a deceleration of {} g. Few tyres slow a vehicle by \
+                 more than 1 g, and none by more than {} g. {why} The earlier speed has a weight of {share} %, \
+                 the last one the rest.",
                 units.format(Measure::RoadSpeed, fall.speed - speed.stored),
                 number(fall.time, 2),
                 number(fall.deceleration / STANDARD_GRAVITY, 2),
@@ -339,9 +339,9 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         })
         .collect();
     page.paragraph(format!(
-        "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped again, or the vehicle \
-         struck something. There the bounds let the speed change at any instant, and limit it to 1 g only \
-         in the other sense.",
+        "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped \
+         again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
+         limit it to 1 g only in the other direction.",
         places.join(", ")
     ));
 }
@@ -444,9 +444,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
     table.note(format!(
-        "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
-         against GPS), and between them by the deceleration before the last sample, less the braking of the \
-         engine where the brake is off. Tyres: ± {} %.",
+        "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a \
+         2010 Ford Flex against GPS), and in between by the deceleration before the last sample, less engine \
+         braking if the brake is off. Tyres: ± {} %.",
         kmh(errors.step),
         percent(errors.steady_low),
         percent(errors.steady_sd),
@@ -475,10 +475,12 @@ fn brake(found: &VehicleReading) -> String {
     let samples = found.recorder.before_impact().map_or(&[][..], PreCrash::samples);
     let comes_on = format!(
         "If the brake is off in the last sample, it comes on with a probability of {percent} % in the first \
-         half second, and with the same share of the rest in each further half second, at any instant of it."
+         half second, and, if still off, with the same probability in each further half second, at any instant of it."
     );
     if samples.iter().all(|one| one.brake.is_none()) {
-        return format!("No sample shows the brake: it is taken to be on or off with 50 % each. {comes_on}");
+        return format!(
+            "No sample shows the brake: it is taken to be on with a probability of 50 %. {comes_on}"
+        );
     }
     format!(
         "The brake is as the samples show, and changes at any instant between two that differ. {comes_on}"
@@ -493,7 +495,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
         recognised(page, file, &format!("{}.pulse", found.of_impact.key(id)), &given.source, table);
     }
     if found.spans.is_empty() {
-        page.paragraph("The pulse has no impact: ΔV changes nowhere by more than 0.8 km/h in 20 ms.");
+        page.paragraph("The pulse has no impact: ΔV never changes by more than 0.8 km/h in 20 ms.");
         return;
     }
     let unit = units.name(Measure::RoadSpeed);
@@ -571,8 +573,8 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
     if found.is_cut {
         page.paragraph(
-            "ΔV still changes where the record ends: the impact may go on, and ΔV is a lower bound. Only a greatest ΔV from \
-             which the record falls back by more than 2 km/h is complete.",
+            "ΔV still changes where the record ends: the impact may continue, so ΔV is a lower bound. The \
+             greatest ΔV is complete only if the record then falls back by more than 2 km/h.",
         );
     }
     if let Some([from, to]) = pulse.pause() {
@@ -595,8 +597,7 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
     let told = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
     let (Some(at), Some(told)) = (found.recorder.at, told) else {
-        return "ΔV is that at the place of the recorder: with `yaw_rate` it is converted to that at the \
-                centre of gravity."
+        return "ΔV applies at the place of the recorder: with `yaw_rate` it is converted to the centre of gravity."
             .to_owned();
     };
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
@@ -617,8 +618,8 @@ fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
         format!("ΔV is {bound}{}", parts.join(" and "))
     };
     format!(
-        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
-         impact less that before).",
+        "The recorder is {} and {} of the centre of gravity, where {there} (ΔV − ΔΩ × r; ΔΩ is the yaw rate \
+         after the impact minus that before).",
         sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
         sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
     )

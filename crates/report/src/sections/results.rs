@@ -85,7 +85,7 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     }
     page.document.tables(checks::table(analysis, units));
     if !of_solution.is_empty() {
-        page.document.heading("What speaks against the exact solution");
+        page.document.heading("Objections to the exact solution");
         page.document.push(warnings::block(&of_solution, units));
     }
     if headline.is_exact() || !of_case.is_empty() {
@@ -103,8 +103,8 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
 fn taken_as_exact(case: &Case) -> &'static str {
     if is_uncertain(case) {
         "Each input is taken at its central value, and the method as exact, so these figures have no interval. \
-         `deltav uncertainty` gives intervals by the ranges of the inputs; those of `deltav estimate` include the errors \
-         of the method, too."
+         `deltav uncertainty` gives intervals from the ranges of the inputs; those of `deltav estimate` also \
+         include the errors of the method."
     } else {
         "The inputs and the method are taken as exact, so these figures have no interval. `deltav estimate` gives \
          intervals that include the errors of both."
@@ -142,8 +142,8 @@ impl Page<'_> {
                 energy(found.crush_energy)
             ),
             Basis::Absorbed => format!(
-                "is W_n = {} = (1 − e²) E, where the crush energy E = {} is what the vehicles absorb up to maximum engagement, and restitution gives \
-                 the share e² back",
+                "is W_n = {} = (1 − e²) E, where the crush energy E = {} is what the vehicles absorb up to \
+                 maximum engagement, and restitution returns the share e²",
                 energy(found.normal_work),
                 energy(found.crush_energy)
             ),
@@ -384,8 +384,8 @@ impl Page<'_> {
         }
         let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
         chosen.shared(&mut table, &rows::IMPACT_MOMENT_IMPULSE);
-        // As many digits as the case gives for the coefficient, but at most four decimals, as that of a curve
-        // has no end.
+        // As many digits as the case gives for the coefficient, but at most four decimals, because that of a
+        // curve has no end.
         if let Some(e) = exchange.restitution {
             let e = (e * 1e4).round() / 1e4 + 0.0;
             chosen.shared_with(&mut table, &rows::IMPACT_RESTITUTION, |_| e.to_string());
@@ -567,7 +567,7 @@ pub(crate) fn search(found: &Found) -> String {
     }
 }
 
-/// The speeds that give the crush energy as well as the one that leads; `None` if there is only that one.
+/// The other speeds that give the crush energy; `None` if there are none.
 pub(super) fn other_speeds(found: &Found, units: Units) -> Option<String> {
     let all: Vec<String> = found.others().map(|speed| units.road_speed(speed)).collect();
     (!all.is_empty()).then(|| format!("Also admissible: {}", all.join(", ")))

@@ -23,14 +23,14 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
     }
     if !sensitivity.derivatives.is_empty() {
         let of_what = if analysis::is_searched_back(case) {
-            "Each derivative follows from the equations, with all other numbers as given (theory 6); where a vehicle is searched back \
-             from its rest, it is accurate to about 1 % (theory 11)."
+            "Each derivative follows from the equations, with all other numbers as given (theory 6); if a \
+             vehicle is searched back from its rest, it is accurate to about 1 % (theory 11)."
         } else {
             "Each derivative is exact, with all other numbers as given (theory 6)."
         };
         page.paragraph(format!(
-            "{of_what} The influence, by which they are ranked, is the change of the result in % for 1 % of the input, for 1° of an \
-             angle, or for 10 cm of a coordinate of the scene; the zero of these two is a matter of choice."
+            "{of_what} They are ranked by influence: the change of the result in % for 1 % of the input, for \
+             1° of an angle, or for 10 cm of a coordinate of the scene (the zero of these two is arbitrary)."
         ));
     }
     if sensitivity.pdof_sweep.is_empty() {
@@ -140,7 +140,7 @@ fn turned(row: &SweepRow, units: Units) -> [String; 3] {
 fn on_the_sweep(sensitivity: &Sensitivity, axes: Axes) -> String {
     let sense = match axes {
         Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
-        Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
+        Axes::ZDown => "positive clockwise, opposite to Table 3 of SAE 980025",
     };
     let of = |vehicles: &[VehicleId]| match vehicles {
         [vehicle] => format!("of vehicle {vehicle}"),

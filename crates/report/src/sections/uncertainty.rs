@@ -85,8 +85,8 @@ impl<'a> Page<'a> {
         let mut lines = Vec::new();
         if uncertainty.nominal.why_not_exact().is_some() {
             lines.push(format!(
-                "All intervals are those of the exact solution by {}, which is not the answer of the case: \
-                 `deltav reconstruct` says why, and weighs all evidence.",
+                "All intervals are for the exact solution by {}, which is not the answer to the case: `deltav \
+                 reconstruct` says why, and weighs all evidence.",
                 words::solution(uncertainty.nominal.solved_by())
             ));
         }
@@ -105,8 +105,8 @@ impl<'a> Page<'a> {
         }
         if analysis::is_searched_back(self.case) {
             lines.push(
-                "Each sample needs a search back from where the vehicles came to rest, so there are fewer \
-                 than usual: `deltav uncertainty --samples N` draws N."
+                "Each sample needs a search back from the rest positions, so there are fewer than usual: \
+                 `deltav uncertainty --samples N` draws N."
                     .to_owned(),
             );
         }
@@ -114,8 +114,8 @@ impl<'a> Page<'a> {
         if nominal.is_reconstruction() {
             let others = counted(uncertainty.taken_as_exact.len(), "input");
             lines.push(format!(
-                "The intervals contain the ranges listed here alone: the other {others}, the impact law and the \
-                 method itself are taken as exact. `deltav estimate` gives the interval with their errors, too."
+                "The intervals include only the ranges listed here: the other {others}, the impact law and the \
+                 method itself are taken as exact. `deltav estimate` includes their errors, too."
             ));
         }
         lines.extend(self.failures());
@@ -173,7 +173,7 @@ impl<'a> Page<'a> {
         if doubts.is_empty() {
             return doubts;
         }
-        let lead = "Samples whose answer would cause a warning in a single case; the intervals contain them:";
+        let lead = "Samples whose answer would cause a warning in a single case; the intervals include them:";
         std::iter::once(lead.to_owned()).chain(doubts).collect()
     }
 
@@ -308,8 +308,8 @@ impl<'a> Page<'a> {
         }
         self.document.push(table);
         self.document.paragraph(
-            "An interval contains the error of the ranges below. It does not contain that of the numbers that \
-             were taken as exact, which are listed below too, nor the error of the method itself.",
+            "An interval includes the errors from the ranges below. It does not include those of the numbers \
+             taken as exact, which are also listed below, nor the error of the method itself.",
         );
         self.turned();
     }
@@ -469,10 +469,9 @@ impl<'a> Page<'a> {
         }
         self.document.push(table);
         self.document.paragraph(format!(
-            "First: the share of the variance that would vanish if this input alone were known exactly. \
-             Total: the share that would remain if all others were. Saltelli's \
-             sampling with Jansen's estimators: {} in {}, of which {} have an answer throughout and are \
-             used.",
+            "First: the share of the variance that would vanish if this input alone were known exactly. Total: \
+             the share that would remain if all others were. Saltelli's sampling with Jansen's estimators: {} \
+             in {}; {} of these have an answer throughout and are used.",
             counted(indices.evaluations(), "evaluation"),
             counted(indices.rows(), "row"),
             grouped(indices.used())
@@ -530,11 +529,11 @@ impl<'a> Page<'a> {
         if !stiffness.is_empty() {
             let [low, high] = times.map(|factor| significant(factor, 2));
             self.document.paragraph(format!(
-                "Spread by default: {}. A category stands for many vehicles; A of a single one lies between \
-                 {low} and {high} times the value of the table with a probability of 95 %. The standard \
-                 deviation is {STIFFNESS_LN_SD_A} for ln A and {STIFFNESS_LN_SD_B} for ln B, which vary \
-                 together, and G with them ({BARRIER_TESTS}). The tests were of fronts; the spread is used \
-                 for all sides. {SWITCH_OFF}",
+                "Spread by default: {}. A category covers many vehicles; A of a single one lies between {low} \
+                 and {high} times the table's value with a probability of 95 %. The standard deviation is \
+                 {STIFFNESS_LN_SD_A} for ln A and {STIFFNESS_LN_SD_B} for ln B, which vary together, and G \
+                 with them ({BARRIER_TESTS}). The tests were of fronts; the spread is used for all sides. \
+                 {SWITCH_OFF}",
                 stiffness.join("; ")
             ));
         }
@@ -560,13 +559,13 @@ impl<'a> Page<'a> {
         let parts = [
             has(FaceAxis::Along).then(|| {
                 format!(
-                    "along the face that of the middle of the damage, {} of its offset and half of {} of its \
-                     length, as the root of the sum of squares",
+                    "along the face, that of the middle of the damage: the root of the sum of squares of {} \
+                     for its offset and half of {} for its length",
                     length(OFFSET_SD),
                     length(DAMAGE_LENGTH_SD)
                 )
             }),
-            has(FaceAxis::Inward).then(|| format!("across it that of one depth, {}", length(DEPTH_SD))),
+            has(FaceAxis::Inward).then(|| format!("across it, that of one depth, {}", length(DEPTH_SD))),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         let list: Vec<&str> = contact.iter().map(|(_, words)| words.as_str()).collect();

@@ -2,7 +2,7 @@
 //!
 //! The steps put numbers in SI units into their equations. All equations hold in any coherent system of
 //! units, so a reader of US units gets the same steps in ft, lb, s and slug (lb·s²/ft). Until the system is
-//! known, a number stands in the text as its SI value and unit between marks, with every digit.
+//! known, a number is in the text as its SI value and unit between marks, with every digit.
 
 use case::Quantity;
 
