@@ -337,13 +337,14 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     let var_a = 0.5 * (hard * hard / 12.0 + hard * hard / 4.0) + 0.5 * 4.0 / 12.0 - mean_a * mean_a;
     let mean_g = 0.15;
     let whole = var_a * (mean_g * mean_g + 0.01 / 12.0) + mean_a * mean_a * 0.01 / 12.0;
-    let rounding = 1.0 / 3.6_f64.powi(2) / 12.0;
-    let sd = (last_sd * last_sd + whole + rounding).sqrt();
+    let sd = (last_sd * last_sd + whole).sqrt();
     let mean = stored + last + mean_a * mean_g;
     for (at_impact, most) in
         [(mean, 0.0), (mean + 0.5, 0.5 / sd), (mean - 0.5, -0.5 / sd), (mean - 4.0, -2.0)]
     {
         let text = RECORDED.replace("speed = \"36 km/h\"", &format!("speed = \"{at_impact} m/s\""));
+        // Rounding has a test of its own.
+        let text = format!("{text}[vehicle1.recorder.errors]\nstep = \"0.001 km/h\"\n");
         let slips = asked(&text).unwrap();
         let off = most * last_sd / sd;
         let [first, second] = [20.0 + steady + off * steady_sd, 15.0 + slip + off * slip_sd];
@@ -483,6 +484,6 @@ fn the_probability_has_the_rounding_of_recorded_speeds() {
         )
         .unwrap();
         let chance = found.chance.unwrap();
-        assert!((chance.above_limit - above).abs() < 0.015, "{step}: {}", chance.above_limit);
+        assert!((chance.above_limit - above).abs() < 0.03, "{step}: {}", chance.above_limit);
     }
 }

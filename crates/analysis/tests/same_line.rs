@@ -302,7 +302,7 @@ fn the_recorder_of_the_other_errs() {
         let text = text([0.0; 2], [60.0 * KMH, 20.0 * KMH], ["", &recorder], avoid);
         asked_with(&text, AvoidPlan { samples: 4_000, ..AvoidPlan::default() }).unwrap()
     };
-    let exact = "steady_low = \"0 %\", tyre_sd = \"0 %\", slip_low = \"0 km/h\", slip_sd = \"0 km/h\"";
+    let exact = "step = \"0.001 km/h\", steady_low = \"0 %\", tyre_sd = \"0 %\", slip_low = \"0 km/h\", slip_sd = \"0 km/h\"";
     let gaps = |sd: &str| {
         let found = found(&format!("{exact}, steady_sd = \"{sd} %\""));
         let interval = found.chance.unwrap().spatial;

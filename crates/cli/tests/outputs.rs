@@ -123,7 +123,7 @@ fn links_to_the_case_are_the_case() {
         for command in ["reconstruct A.toml", "draw A.toml --what scene", "uncertainty A.toml --samples 100"]
         {
             let message = refused(&folder, &format!("{command} -o {output}"), None);
-            assert!(message.contains("over the case file A.toml"), "{message}");
+            assert!(message.contains("overwrite the case file A.toml"), "{message}");
         }
     }
     // The case by its link, and through a folder that is one.

@@ -7,7 +7,7 @@ use real::Real;
 use real::elementary::{atan2, exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
-use crate::density::{Freedom, normal};
+use crate::density::Freedom;
 use crate::figures::CrushFigures;
 use crate::number::Number;
 
@@ -111,10 +111,10 @@ pub struct ObservedVehicle {
 pub struct MeasuredRest {
     /// (m) position of the CG in the scene.
     pub position: Vector2<f64>,
-    /// (m) its position at the impact: the normal score is that of the error along the line from there.
-    pub impact: Vector2<f64>,
-    /// The error of the position, in each direction.
-    pub error: PlaceError,
+    /// (rad) direction of the rest position from the impact: the normal score is that of the error along it.
+    pub direction: f64,
+    /// (m) standard deviation of the error of the position, in each direction.
+    pub position_sd: f64,
     /// (rad) heading.
     pub heading: f64,
     /// Whether the heading includes full turns.
@@ -122,57 +122,6 @@ pub struct MeasuredRest {
     /// (rad) standard deviation of the error of the heading.
     pub heading_sd: f64,
 }
-
-/// The error of a place that the model of the motion computes, compared with its survey. It grows with the
-/// computed distance: if it grew with the measured one, a rest that is short by chance would count for more.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlaceError {
-    /// (m) standard deviation of the model's error at the impact.
-    pub least: f64,
-    /// (–) growth of that with the distance from the impact.
-    pub share: f64,
-    /// (m) standard deviation of the survey's error.
-    pub survey: f64,
-}
-
-impl PlaceError {
-    /// (m) the standard deviation at a computed distance (m) from the impact.
-    #[inline(always)]
-    #[must_use]
-    pub fn sd(self, distance: f64) -> f64 {
-        let model = self.least + self.share * distance;
-        Real::sqrt(model * model + self.survey * self.survey)
-    }
-
-    /// The log density of a place measured at a distance (m) from the impact, for the computed place that
-    /// makes it greatest.
-    pub(crate) fn greatest_log_density(self, measured: f64) -> f64 {
-        let Self { least, share, survey } = self;
-        // On the line to the measured place, with u = least + share d, M that for the measured distance, and q
-        // = survey²: d/du [−ln(u² + q) − (M − u)²/2 share² (u² + q)] has the sign of
-        // −2 share² u³ − M u² + (M² − q (1 + 2 share²)) u + M q, which has one positive root.
-        let (at_measured, q, two) = (least + share * measured, survey * survey, 2.0 * share * share);
-        let rises = |u: f64| {
-            let linear = at_measured * at_measured - q * (1.0 + two);
-            ((-two * u - at_measured) * u + linear) * u + at_measured * q > 0.0
-        };
-        let (mut low, mut high) = (least, at_measured);
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if rises(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let distance = if share > 0.0 { (low - least) / share } else { measured };
-        let sd = self.sd(distance);
-        normal(measured - distance, sd) + normal(0.0, sd)
-    }
-}
-
-/// Halvings after which an interval has the width of rounding.
-const BISECTIONS: u32 = 60;
 
 /// Mass and radius of gyration of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -457,6 +406,9 @@ pub struct Severity {
     pub speed: f64,
     /// The risk of an injury, if the collision belongs to those in which somebody suffered it.
     pub injury: Option<InjuryRisk>,
+    /// Number of speeds that are uniform before it. Each would make the median exp(σ²) times as high, which is
+    /// divided out.
+    pub uniform_speeds: u32,
 }
 
 /// The probability that somebody in a vehicle suffers an injury.
@@ -485,12 +437,11 @@ impl InjuryRisk {
 }
 
 impl Severity {
-    /// This severity for a vehicle whose speed is uniform before it: the median of its ΔV is again this one.
-    #[must_use]
-    pub fn of_uniform_speed(self) -> Self {
-        let Self { median, ln_sd, .. } = self;
-        // A uniform v has a density ~ v of ln v, and v N(ln v; μ, σ²) ~ N(ln v; μ + σ², σ²).
-        Self { median: median * exp(-ln_sd * ln_sd), ..self }
+    /// (–) ln(√(ΔV₁ ΔV₂)/m) + n σ², for the logarithm of the ratio to the median m and n uniform speeds: a
+    /// uniform v has a density ~ v of ln v, and v N(ln v; μ, σ²) ~ N(ln v; μ + σ², σ²).
+    #[inline(always)]
+    pub(crate) fn error(&self, ln_ratio: f64) -> f64 {
+        ln_ratio + f64::from(self.uniform_speeds) * self.ln_sd * self.ln_sd
     }
 }
 

@@ -236,7 +236,7 @@ const SPREADS: [usize; 3] = [1, 2, 3];
 
 /// The figures fitted to crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
 pub const FITTED: Fitted = Fitted {
-    severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None },
+    severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None, uniform_speeds: 0 },
     front_to_front: 1.42,
     crush_bias: -0.521,
     crush_ln_sd: [0.405, 0.576, 0.336],
@@ -260,7 +260,7 @@ pub const FITTED: Fitted = Fitted {
     pdof_scale: 0.104_719_755_119_659_77,
     pdof_side_factor: 1.5,
     objects: ObjectFigures {
-        severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None },
+        severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None, uniform_speeds: 0 },
         misfit: CrushMisfit { bias: -0.770, ln_sd: 1.470 },
         covariance: [[0.059_07, -0.008_01], [-0.008_01, 0.024_70]],
     },

@@ -2,7 +2,7 @@
 
 use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Outcome, Vector2, VehicleId};
-use real::elementary::{atan2, exp, ln};
+use real::elementary::{atan2, exp, ln, sin_cos};
 use real::{Real, principal_angle};
 use uncertainty::{Distribution, Instructions, LANES, Lanes, dispatch};
 
@@ -61,8 +61,6 @@ pub struct CollisionModel<I = Placed> {
     impacts: I,
     observed: Observed,
     pieces: Vec<Piece>,
-    /// Maximum of the log-likelihood of the rest of each vehicle.
-    most_of_rests: [f64; 2],
 }
 
 /// A collision with the index of each unknown number.
@@ -130,13 +128,7 @@ impl<I: Impacts> CollisionModel<I> {
             let is_limited = limits.least > f64::NEG_INFINITY || limits.most < f64::INFINITY;
             pieces.extend(is_limited.then_some(Piece::Limits(id)));
         }
-        let most_of_rests = observed.vehicles.each_ref().map(|vehicle| {
-            vehicle.rest.map_or(0.0, |rest| {
-                rest.error.greatest_log_density((rest.position - rest.impact).norm())
-                    + normal(0.0, rest.heading_sd)
-            })
-        });
-        Self { impacts, observed, pieces, most_of_rests }
+        Self { impacts, observed, pieces }
     }
 
     /// The terms of the likelihood, in order.
@@ -224,16 +216,18 @@ impl<I: Impacts> CollisionModel<I> {
     #[inline(always)]
     fn rest_errors(&self, id: VehicleId, impacted: &Impacted) -> Option<[Error; 3]> {
         let (measured, way) = (self.observed.vehicles[id.index()].rest?, impacted.ways[id.index()].as_ref()?);
-        let MeasuredRest { position, impact, error, heading, turns_are_known, heading_sd } = measured;
+        let MeasuredRest { position, direction, position_sd, heading, turns_are_known, heading_sd } =
+            measured;
         let apart = position - way.position;
-        let (from, far) = (position - impact, (way.position - impact).norm());
-        let distance = from.norm();
-        let (cos, sin) = if distance > 0.0 { (from.x / distance, from.y / distance) } else { (1.0, 0.0) };
+        let (sin, cos) = sin_cos(direction);
         let (along, across) = (apart.x * cos + apart.y * sin, apart.y * cos - apart.x * sin);
-        let sd = error.sd(far);
         let turned = heading - way.heading;
         let turned = if turns_are_known { turned } else { principal_angle(turned) };
-        Some([Error::normal(along, sd), Error::normal(across, sd), Error::normal(turned, heading_sd)])
+        Some([
+            Error::normal(along, position_sd),
+            Error::normal(across, position_sd),
+            Error::normal(turned, heading_sd),
+        ])
     }
 
     /// Whether a piece in use constrains the path of a vehicle to rest.
@@ -303,7 +297,7 @@ impl<I: Impacts> CollisionModel<I> {
                 Error {
                     potential: often + injured,
                     ..Error::normal(
-                        0.5 * ln(dv1 * dv2 / (severity.median * severity.median)) + beyond,
+                        severity.error(0.5 * ln(dv1 * dv2 / (severity.median * severity.median))) + beyond,
                         severity.ln_sd,
                     )
                 }
@@ -382,7 +376,10 @@ impl<I: Impacts> CollisionModel<I> {
                     Error { potential: across.log_likelihood() + turned.log_likelihood(), ..along }
                 }
                 // Not followed: the maximum.
-                (None, Some(_)) => Error { potential: self.most_of_rests[id.index()], ..Error::NONE },
+                (None, Some(MeasuredRest { position_sd, heading_sd, .. })) => {
+                    let other = normal(0.0, position_sd) + normal(0.0, heading_sd);
+                    Error { potential: other, ..Error::normal(0.0, position_sd) }
+                }
                 (None, None) => Error::NONE,
             },
             Piece::Points(id) => match &impacted.ways[id.index()] {

@@ -12,7 +12,7 @@ use evidence::DamagedSide::{self, Front, Rear, Side};
 use evidence::{
     Behind, CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DrawnOutput,
     EnergyError, FITTED, Freedom, Impacted, Impacts, Measured, MeasuredRest, MeasuredSpeed, Number,
-    ObjectFigures, Observed, PlaceError, RecordedDeltaV, RestitutionModel, Severity, Speeds, Way,
+    ObjectFigures, Observed, RecordedDeltaV, RestitutionModel, Severity, Speeds, Way,
 };
 use pim_core::VehicleId::{self, One, Two};
 use pim_core::{Motion, Vector2};
@@ -238,8 +238,8 @@ fn front_and_side_to_rest() -> Shape {
                 let error = Vector2::new(random.normal(), random.normal()) * REST_SD;
                 collision.observed.vehicles[i].rest = Some(MeasuredRest {
                     position: way.position + error,
-                    impact: Vector2::new(0.0, 0.0),
-                    error: PlaceError { least: REST_SD, share: 0.0, survey: 0.0 },
+                    direction: way.position.y.atan2(way.position.x),
+                    position_sd: REST_SD,
                     heading: way.heading + heading_sd * random.normal(),
                     turns_are_known: false,
                     heading_sd,
@@ -255,7 +255,7 @@ fn front_and_object() -> Shape {
     let contacts = [[1.9.into(), normal(-0.3, 0.25)], [0.0.into(), 0.0.into()]];
     let mut collision = usual([1500.0, 1.0], [0.0, 0.0], PI, contacts);
     collision.speeds = Speeds::Each([Distribution::uniform(0.0, 70.0).unwrap().into(), 0.0.into()]);
-    collision.observed.severity = Some(FITTED.objects.severity.of_uniform_speed());
+    collision.observed.severity = Some(Severity { uniform_speeds: 1, ..FITTED.objects.severity });
     let object = &mut collision.vehicles[1];
     (object.body, object.crush) = (None, None);
     Shape {
@@ -352,7 +352,8 @@ fn truth(collision: &Collision, random: &mut Random) -> Impacted {
             let [v1, v2] = impacted.speeds;
             // A fixed object has no ΔV: that of the vehicle alone counts.
             let mean = if collision.vehicles[1].body.is_some() { (dv1 * dv2).sqrt() } else { dv1 };
-            let z = (mean / severity.median).ln() / severity.ln_sd;
+            let uniform = f64::from(severity.uniform_speeds) * severity.ln_sd * severity.ln_sd;
+            let z = ((mean / severity.median).ln() + uniform) / severity.ln_sd;
             let frequency = (-0.5 * (z * z + (v1 * v1 + v2 * v2) / severity.speed.powi(2))).exp();
             if impacted.is_possible && random.unit() < frequency {
                 return impacted;
@@ -475,7 +476,7 @@ fn wrong_errors_are_noticed() {
     // Rests that err more than is stated.
     let rests = most(&front_and_side_to_rest(), |collision| {
         for rest in collision.observed.vehicles.iter_mut().filter_map(|vehicle| vehicle.rest.as_mut()) {
-            rest.error.least *= 0.5;
+            rest.position_sd *= 0.5;
         }
     });
     // Collisions with a fixed object, by the misfit and the severity of two vehicles.
@@ -484,7 +485,7 @@ fn wrong_errors_are_noticed() {
         collision.observed.crush = Some(CrushMisfit { bias, ln_sd: 0.5 * ln_sd }.into());
     });
     let of_two = most(&front_and_object(), |collision| {
-        collision.observed.severity = Some(FITTED.severity.of_uniform_speed());
+        collision.observed.severity = Some(Severity { uniform_speeds: 1, ..FITTED.severity });
     });
     let found = [crush, bias, rests, of_objects, of_two];
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");

@@ -51,7 +51,8 @@ fn crush([constant, linear, square]: [f64; 3]) -> Option<CrushNumbers> {
 
 /// The misfits are those of the reference, independent of later fits.
 const CRUSH: CrushMisfit = CrushMisfit { bias: -0.404, ln_sd: 0.366 };
-const SEVERITY: Severity = Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None };
+const SEVERITY: Severity =
+    Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None, uniform_speeds: 0 };
 
 /// A crash with both speeds unknown; the cases set everything else.
 fn usual(masses: [Number; 2], yaw_radii: [f64; 2], crushes: [[f64; 3]; 2]) -> Collision {
@@ -182,7 +183,7 @@ fn two_modes() -> Collision {
 
 /// The figures of collisions with a fixed object, as the reference has them.
 const OBJECTS: ObjectFigures = ObjectFigures {
-    severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None },
+    severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None, uniform_speeds: 0 },
     misfit: CrushMisfit { bias: -0.770, ln_sd: 1.470 },
     covariance: [[0.059_07, -0.008_01], [-0.008_01, 0.024_70]],
 };
@@ -204,7 +205,7 @@ fn tree() -> Collision {
     let pdof = Some(CodedPdof { pdof: 10.0 * DEGREE, scale: 6.0 * DEGREE });
     let behind = [Behind::Misfit { bias: true, spread: true }, Behind::Nothing];
     collision.observed = Observed {
-        severity: Some(OBJECTS.severity.of_uniform_speed()),
+        severity: Some(Severity { uniform_speeds: 1, ..OBJECTS.severity }),
         crush: Some(OBJECTS.misfit.into()),
         figures: OBJECTS.figures(behind),
         ..Observed::default()

@@ -147,7 +147,14 @@ fn recorders_of_two_events_are_told() {
 
 #[test]
 fn a_pair_is_judged_without_its_recorder() {
-    let options = |other| Options { particles: 128, seed: 1, other, crush: KnownCrush::Both, injury: None };
+    let options = |other| Options {
+        particles: 128,
+        seed: 1,
+        other,
+        crush: KnownCrush::Both,
+        injury: None,
+        uniform_speeds: 0,
+    };
     let mut progress = |_, _| ControlFlow::Continue(());
     let run =
         |line: &str, other| judge(&read(&table(line)).unwrap(), &FITTED, &options(other), &mut progress);
@@ -215,7 +222,14 @@ fn an_ended_judgement_says_so() {
     use field::FieldError;
     use std::ops::ControlFlow;
     let pairs = read(&format!("{HEADER}\n{LINE}\n{LINE}\n{LINE}\n")).unwrap();
-    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both, injury: None };
+    let options = Options {
+        particles: 128,
+        seed: 1,
+        other: false,
+        crush: KnownCrush::Both,
+        injury: None,
+        uniform_speeds: 0,
+    };
     let until = |last: usize| {
         judge(&pairs, &FITTED, &options, &mut |done, _| {
             if done < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -270,7 +284,7 @@ fn fronts_that_struck_an_object_are_read() {
 #[test]
 fn an_object_takes_no_energy_and_does_not_move() {
     let objects = ObjectFigures {
-        severity: Severity { median: 10.0, ln_sd: 3.0, speed: 1e3, injury: None },
+        severity: Severity { median: 10.0, ln_sd: 3.0, speed: 1e3, injury: None, uniform_speeds: 0 },
         misfit: CrushMisfit { bias: 0.0, ln_sd: 0.02 },
         covariance: [[0.0; 2]; 2],
     };
@@ -285,7 +299,14 @@ fn an_object_takes_no_energy_and_does_not_move() {
         recorder_ln_scale: 0.01,
         ..FITTED
     };
-    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both, injury: None };
+    let options = Options {
+        particles: 128,
+        seed: 1,
+        other: false,
+        crush: KnownCrush::Both,
+        injury: None,
+        uniform_speeds: 0,
+    };
     let crashes = read_objects(&OBJECTS.replace("150,150,0,30", "150,150,0,20")).unwrap().unwrap();
     let field = judge(&crashes, &fitted, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert!(field.objects && field.judged.len() == 2);

@@ -161,7 +161,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
             format!(
                 "std. dev. {} each way, heading {}: the errors of the computed path (`rest_error`, \
                  `rest_least_error`, `rest_heading_error` of [estimate]) and the range of the case",
-                length(rest.error.sd((rest.position - rest.impact).norm())),
+                length(rest.position_sd),
                 angle(rest.heading_sd)
             )
         }

@@ -104,8 +104,7 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let usual = if of_object { fitted.objects.severity } else { fitted.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
-    let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
-    let severity = (0..speeds.uniform()).fold(severity, |severity, _| severity.of_uniform_speed());
+    let severity = Severity { median, ln_sd: usual.ln_sd * times, uniform_speeds: speeds.uniform(), ..usual };
     let crush = (crushed != Crushed::No)
         .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);

@@ -46,7 +46,7 @@ impl OpenSpeeds {
     }
 
     /// The number of unknown speeds that are uniform before the severity, each in its own value.
-    pub(super) fn uniform(self) -> usize {
+    pub(super) fn uniform(self) -> u32 {
         match self {
             Self::None | Self::Together(_) => 0,
             Self::One(..) => 1,

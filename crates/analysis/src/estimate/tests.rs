@@ -563,7 +563,7 @@ fn errors_add_as_variances() {
     assert!((hour.scale.to_degrees() - 111.0_f64.sqrt()).abs() < 1e-9);
     // 0.5 m and 10 % of 15 m for the model, 5° at least for the heading.
     let exact = of_case(&at_rest(REST)).observed.vehicles[1].rest.unwrap();
-    assert!((exact.error.sd(15.0) - 2.0).abs() < 1e-9 && (exact.heading_sd.to_degrees() - 5.0).abs() < 1e-9);
+    assert!((exact.position_sd - 2.0).abs() < 1e-9 && (exact.heading_sd.to_degrees() - 5.0).abs() < 1e-9);
     let measured = REST.replace(
         "rest = { x = \"15 m\", y = \"0 m\", heading = \"0 deg\" }",
         "[vehicle2.after.rest]\nx = { value = \"15 m\", sd = \"1 m\" }\ny = { value = \"0 m\", sd = \"2 m\" }\n\
@@ -571,7 +571,7 @@ fn errors_add_as_variances() {
     );
     let measured = of_case(&at_rest(&measured)).observed.vehicles[1].rest.unwrap();
     // 2² + (1² + 2²)/2 and 5² + 8²
-    assert!((measured.error.sd(15.0) - 6.5_f64.sqrt()).abs() < 1e-9, "{measured:?}");
+    assert!((measured.position_sd - 6.5_f64.sqrt()).abs() < 1e-9, "{measured:?}");
     assert!((measured.heading_sd.to_degrees() - 89.0_f64.sqrt()).abs() < 1e-9, "{measured:?}");
 }
 
@@ -1247,8 +1247,7 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     assert!((figures.bias_sd(VehicleId::One) - object.covariance[0][0].sqrt()).abs() < 1e-12);
     // ∫ v N(ln v; μ, σ) d ln v has its median at exp(μ + σ²).
     let severity = setup.observed.severity.unwrap();
-    let median = severity.median * (severity.ln_sd * severity.ln_sd).exp();
-    assert!((median - object.severity.median).abs() < 1e-9, "{median}");
+    assert_eq!(severity, evidence::Severity { uniform_speeds: 1, ..object.severity });
     // What the case gives was not fitted.
     let given = of_case(&text("front", "fixed = true\n", "crush_bias = \"60 %\"\ncrush_error = \"50 %\"\n"));
     assert_eq!(given.observed.figures, None);

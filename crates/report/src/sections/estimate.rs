@@ -495,16 +495,27 @@ impl<'a> Page<'a> {
         ]);
         if let Some(severity) = self.estimated.observed.severity {
             let median = self.units.format(Measure::RoadSpeed, severity.median);
+            // With a fixed object, one vehicle moves.
+            let alone = VehicleId::ALL.into_iter().filter(|id| self.find(DELTA_V.of_vehicle(*id)).is_some());
+            let alone: Vec<VehicleId> = alone.collect();
+            let (delta_v, speeds, weight) = match alone[..] {
+                [id] => (format!("ΔV of vehicle {id}"), format!("speed of vehicle {id}"), "v²"),
+                _ => (
+                    "ΔV, geometric mean of both".to_owned(),
+                    "speeds of both vehicles".to_owned(),
+                    "(v₁² + v₂²)",
+                ),
+            };
             table.row([
-                "ΔV, geometric mean of both".to_owned(),
+                delta_v,
                 folded(&format!("median {median}, std. dev. {} of ln", significant(severity.ln_sd, 2)), 30),
                 "docs/calibration.md".to_owned(),
             ]);
             if severity.speed.is_finite() {
                 let scale = self.units.format(Measure::RoadSpeed, severity.speed);
                 table.row([
-                    "speeds of both vehicles".to_owned(),
-                    folded(&format!("weight exp(−(v₁² + v₂²)/2s²), s = {scale}: faster is rarer"), 30),
+                    speeds,
+                    folded(&format!("weight exp(−{weight}/2s²), s = {scale}: faster is rarer"), 30),
                     "docs/calibration.md".to_owned(),
                 ]);
             }
@@ -551,7 +562,12 @@ impl<'a> Page<'a> {
             let found = self.find(wanted).filter(|found| found.varies())?;
             let [median, interval] = self.speed(found.if_injured.as_ref()?);
             let unit = self.units.name(Measure::RoadSpeed);
-            Some(format!("{}: {median} {unit} (95 %: {interval} {unit})", output_name(wanted)))
+            let name = output_name(wanted);
+            Some(if found.is_told() {
+                format!("{name}: {median} {unit} (95 %: {interval} {unit})")
+            } else {
+                format!("{name}: not determined by the evidence (95 %: {interval} {unit})")
+            })
         });
         let told: Vec<String> = told.collect();
         if told.is_empty() {
@@ -621,11 +637,17 @@ impl<'a> Page<'a> {
     }
 
     fn limits(&mut self) {
-        self.document.paragraph(
+        let is_of_way = |piece: &PieceFound| {
+            matches!(piece.piece, Piece::Severity | Piece::Limits(_) | Piece::Rest(_) | Piece::Points(_))
+        };
+        self.document.paragraph(if self.estimated.pieces.iter().all(is_of_way) {
+            "The errors of rest positions and points are assumed, not fitted. The intervals include the errors \
+             listed here, and no others."
+        } else {
             "The errors of crush energies, PDOFs and recorders were fitted to 329 crashes of cars with \
              recorders in the United States in 2017 (docs/calibration.md): in other collisions they may be \
-             larger. The intervals include the errors listed here, and no others.",
-        );
+             larger. The intervals include the errors listed here, and no others."
+        });
     }
 }
 

@@ -1,6 +1,6 @@
 //! How a vehicle left the impact, and its rest position.
 
-use evidence::{Measured, MeasuredRest, PlaceError, PostImpactMotion};
+use evidence::{Measured, MeasuredRest, PostImpactMotion};
 use inputs::{Quantity, VehicleMotion};
 use pim_core::Vector2;
 use real::Real;
@@ -62,6 +62,7 @@ pub(super) fn rest(
     let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
     let rest = way.rest.as_ref().map(|rest| {
         let surveyed = ["after.rest.x", "after.rest.y"].map(|of| subject.sd(of).unwrap_or_default());
+        let model = far(rest.position);
         let heading = rest.heading.heading(way.heading);
         let turns_are_known = rest.heading.turns_are_known();
         let turned = heading - way.heading;
@@ -73,10 +74,11 @@ pub(super) fn rest(
             .iter()
             .find_map(|of| subject.sd(of))
             .unwrap_or_default();
+        let apart = rest.position - way.position;
         MeasuredRest {
             position: rest.position,
-            impact: way.position,
-            error: PlaceError { least, share, survey: both(0.0, surveyed) },
+            direction: real::elementary::atan2(apart.y, apart.x),
+            position_sd: both(model, surveyed),
             heading,
             turns_are_known,
             heading_sd: Real::sqrt(model_heading * model_heading + own * own),
