@@ -5,10 +5,10 @@ use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SKID_SPEED, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
-    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
+    PieceFound, SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Warning, Weighed,
 };
 use case::{Axes, Case, SeverityPrior};
-use evidence::TestedClass;
+use evidence::{Piece, TestedClass};
 use pim_core::VehicleId;
 
 use super::uncertainty::{MOST_DECIMALS, decimals_of, short};
