@@ -147,14 +147,7 @@ fn recorders_of_two_events_are_told() {
 
 #[test]
 fn a_pair_is_judged_without_its_recorder() {
-    let options = |other| Options {
-        particles: 128,
-        seed: 1,
-        other,
-        crush: KnownCrush::Both,
-        injury: None,
-        uniform_speeds: 0,
-    };
+    let options = |other| Options { particles: 128, seed: 1, other, crush: KnownCrush::Both, injury: None };
     let mut progress = |_, _| ControlFlow::Continue(());
     let run =
         |line: &str, other| judge(&read(&table(line)).unwrap(), &FITTED, &options(other), &mut progress);
@@ -222,14 +215,7 @@ fn an_ended_judgement_says_so() {
     use field::FieldError;
     use std::ops::ControlFlow;
     let pairs = read(&format!("{HEADER}\n{LINE}\n{LINE}\n{LINE}\n")).unwrap();
-    let options = Options {
-        particles: 128,
-        seed: 1,
-        other: false,
-        crush: KnownCrush::Both,
-        injury: None,
-        uniform_speeds: 0,
-    };
+    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both, injury: None };
     let until = |last: usize| {
         judge(&pairs, &FITTED, &options, &mut |done, _| {
             if done < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -299,14 +285,7 @@ fn an_object_takes_no_energy_and_does_not_move() {
         recorder_ln_scale: 0.01,
         ..FITTED
     };
-    let options = Options {
-        particles: 128,
-        seed: 1,
-        other: false,
-        crush: KnownCrush::Both,
-        injury: None,
-        uniform_speeds: 0,
-    };
+    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both, injury: None };
     let crashes = read_objects(&OBJECTS.replace("150,150,0,30", "150,150,0,20")).unwrap().unwrap();
     let field = judge(&crashes, &fitted, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert!(field.objects && field.judged.len() == 2);
