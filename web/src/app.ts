@@ -304,11 +304,12 @@ export class App {
     if (!this.scene.busy) this.editor.redo();
   }
 
-  private write(key: string, toml: string): void {
+  private write(key: string, toml: string): string | null {
     this.scene.end(true);
     const edited = engine.edit(this.editor.text, key, toml);
     if (edited.ok) this.editor.write(edited.text);
     else this.message(edited.message);
+    return edited.ok ? null : edited.message;
   }
 
   /** A change that is a step of the history by itself. */
@@ -495,7 +496,8 @@ export class App {
   /** What follows. */
   showRest(): void {
     const { solved } = this;
-    if (!solved) return;
+    // Of a text that has changed since, the rest follows that change.
+    if (!solved || solved.text !== this.editor.text) return;
     this.rest.cancel();
     this.editor.mark(solved.problems);
     const estimable = solved.check.commands.estimate?.able === true;

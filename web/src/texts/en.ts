@@ -303,6 +303,8 @@ export const texts = {
       within: "greatest deviation in per cent",
       confidence: "probability that it lies within",
     } as Record<string, string>,
+    source: "source",
+    incomplete: "This range is not in the case yet: fill in all of its numbers.",
     rangeSign: { sd: "±", low: "from", mode: "likely", high: "to", within: "±", confidence: "probability" } as Record<string, string>,
   },
 
