@@ -28,6 +28,8 @@ export const texts = {
     ["dark", "dark"],
   ],
 
+  pageTitle: (name: string, isSaved: boolean) => `${isSaved ? "" : "• "}${name} – deltav`,
+
   printHead: (name: string, version: string, date: string, since: string) =>
     [name, `deltav ${version}`, `printed ${date}`, since].filter((part) => part !== "").join(" · "),
 
@@ -155,7 +157,7 @@ export const texts = {
   },
 
   questions: {
-    reconstruct: "Which speed does the damage show?",
+    reconstruct: "How fast were they?",
     impact: "What follows from these speeds?",
     motion: "Where do the vehicles come to rest?",
     crush: "What does the damage alone show?",
@@ -168,7 +170,22 @@ export const texts = {
     label: "Answer",
     question: "Question",
     noWarnings: "No warnings",
-    warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
+    warnings: (own: number, aside: number) => {
+      const warnings = (count: number) => (count === 1 ? "1 warning" : `${count} warnings`);
+      if (aside === 0) return warnings(own);
+      return own === 0 ? `${warnings(aside)} on the exact solution` : `${warnings(own)}, and ${aside} on the exact solution`;
+    },
+    against: "What speaks against the exact solution",
+    byRangesAlone: {
+      roomy: "These intervals do not contain the errors of the method. Those of the report do.",
+      short: "Without the errors of the method.",
+    },
+    takenAsExact: {
+      roomy: "The inputs and the method are taken as exact, so these figures have no interval. The view Estimate gives intervals that include the errors of both.",
+      short: "Taken as exact, these figures have no interval.",
+    },
+    exact: (by: string) => `Exact solution${by === "" ? "" : ` by ${by}`}, not the answer:`,
+    columns: { "speed 1": "speed of vehicle 1", "speed 2": "speed of vehicle 2", "ΔV 1": "ΔV of vehicle 1", "ΔV 2": "ΔV of vehicle 2" } as Record<string, string>,
     inResults: "This question is answered by tables.",
     inAvoid: "The speed at the impact is found first.",
     none: "No answer yet.",
@@ -380,6 +397,7 @@ export const texts = {
     cannot: "The case does not have what this needs.",
     plain: "For readers who are not engineers",
     plainLater: "All evidence is being weighed: these drawings follow, with its speeds.",
+    plainOld: "The title or the source of the case has changed: these drawings, which show it, are made again with the next report.",
     noDrawings: "There is nothing to draw for this case.",
     table: "Table",
   },
@@ -393,7 +411,7 @@ export const texts = {
   pictures: { svg: "Save SVG", png: "Save PNG" },
 
   sensitivity: {
-    caption: "Change of the speed in per cent, for 1 % more of the input, or for 1° more of an angle",
+    caption: (output: string) => `${output}: change in per cent, for 1 % more of the input, or for 1° more of an angle`,
     input: "input",
     influence: "influence",
     tables: "All derivatives",
