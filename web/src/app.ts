@@ -1,6 +1,6 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
 import { book } from "./book.js";
-import { afterPause, download, eachFrame, h, showDialog } from "./dom.js";
+import { type Child, afterPause, download, eachFrame, h, showDialog } from "./dom.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import { essence } from "./essence.js";
@@ -9,7 +9,7 @@ import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, type Picture, Runner } from "./runs.js";
-import { inForm, said, saidOfText } from "./said.js";
+import { inForm, said, saidOfText, valueInWords } from "./said.js";
 import { SceneView, type Unit } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
@@ -59,6 +59,8 @@ export class App {
   private readonly known = new Map<string, Known>();
   /** What `quick` runs, or has run. */
   private job: Job | null = null;
+  /** The question of `job`, as `known` has it. */
+  private keyOfJob: string | null = null;
   /** Why evidence could not be weighed. */
   private unweighed: { key: string; message: string } | null = null;
   /** What `completing` runs to have the intervals of the headline in other units. */
@@ -102,8 +104,8 @@ export class App {
     const formPanel = h("div", { class: "panel form-panel" }, this.form.element);
     const textPanel = h("div", { class: "panel text-panel" });
     this.caseTabs = new Tabs(texts.caseTabs.label, [
-      { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.solved && this.form.update(this.solved.check) },
-      { name: "text", title: texts.caseTabs.text, panel: textPanel },
+      { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.showCase() },
+      { name: "text", title: texts.caseTabs.text, panel: textPanel, shown: () => this.showCase() },
     ]);
     this.editor = new Editor(textPanel, () => this.solveSoon(undefined));
 
@@ -119,7 +121,8 @@ export class App {
         this.editor.settle(keep);
         this.solveSoon.flush();
       },
-      refused: (message) => this.message(message),
+      refused: (message) => this.message(said(message)),
+      value: (key) => valueInWords(this.solved?.check.values[key]?.text),
       unit: () => this.unit(),
       measured: (metres, radians) => this.measured(metres, radians),
     });
@@ -327,7 +330,7 @@ export class App {
     this.scene.end(true);
     const edited = engine.edit(this.editor.text, key, toml);
     if (edited.ok) this.editor.write(edited.text);
-    else this.message(edited.message);
+    else this.message(said(edited.message));
     return edited.ok ? null : edited.message;
   }
 
@@ -352,9 +355,23 @@ export class App {
     else this.editor.view.focus();
   }
 
+  private updateForm(): void {
+    const { solved } = this;
+    if (!solved || this.caseTabs.shown !== "form") return;
+    const { problems } = solved.check;
+    // What another question lacks is missing to nobody.
+    this.form.update(solved.check, problems.length > 0 || this.isEstimate ? problems : solved.problems);
+  }
+
+  /** The form or the text is shown, and each is told of in its words what is wrong. */
+  private showCase(): void {
+    this.updateForm();
+    if (this.solved && !this.solved.look.ok) this.showAnswer();
+  }
+
   /** To the field of a key: in the form where that is shown, in the text otherwise. */
   private lead(key: string): void {
-    if (this.solved && this.caseTabs.shown === "form") this.form.update(this.solved.check);
+    this.updateForm();
     if (this.caseTabs.shown === "form" && this.form.focus(key)) return;
     this.reveal(key);
   }
@@ -505,7 +522,7 @@ export class App {
     this.showAnswer();
     this.showFileState();
     for (const name of this.panels.keys()) this.stale.add(name);
-    if (isScene) this.scene.update(look.scene ?? null);
+    if (isScene) this.scene.update(look.scene ?? null, solved.problems.length > 0);
     else this.stale.add("scene");
     // What runs goes on where the answer will be the same; who waits for a file of it wants that of this text.
     if (!this.job || this.keyOf(solved) !== this.keyOfJob) this.endRuns();
@@ -534,7 +551,7 @@ export class App {
       // Otherwise the answer is the same, and who is at work in its warnings stays there.
       if (this.asked === "estimate") this.showAnswer();
     }
-    if (this.caseTabs.shown === "form") this.form.update(solved.check);
+    this.updateForm();
     this.show(this.viewTabs.shown);
   }
 
@@ -603,9 +620,7 @@ export class App {
     const { solved, isEstimate } = this;
     if (!solved || (!isEstimate && !solved.look.ok)) return;
     this.headline.classList.remove("stale");
-    const own = isEstimate ? this.knownOf(solved, "estimate") : undefined;
-    // An estimate with the usual settings is what the weighed evidence gives.
-    const known = own ?? (isEstimate && !solved.weighs ? undefined : this.knownOf(solved));
+    const known = this.answerOf(solved);
     if (known) {
       this.showLines(known.headline, true, known.isNarrow ? texts.answer.byRangesAlone : null);
       return;
@@ -653,7 +668,7 @@ export class App {
       h("button", { type: "button", class: "primary", onclick: start }, texts.answer.startEstimate)));
   }
 
-  private showLines(lines: string[], interval: boolean, note: { roomy: string; short: string } | null): void {
+  private showLines(lines: string[], interval: boolean, note: { roomy: string; brief: string } | null): void {
     const shown = lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
@@ -675,7 +690,7 @@ export class App {
       if (part.tagName === "P" && last?.classList.contains("sentences")) last.append(part);
       else columns.push(part.tagName === "P" && shown.length > 1 ? h("div", { class: "sentences" }, part) : part);
     }
-    this.headline.replaceChildren(...columns, ...(note ? [h("p", { class: "note of-interval" }, h("span", { class: "roomy" }, note.roomy), h("span", { class: "short" }, note.short))] : []));
+    this.headline.replaceChildren(...columns, ...(note ? [h("p", { class: "note of-interval" }, h("span", { class: "roomy" }, note.roomy), h("span", { class: "brief" }, note.brief))] : []));
     this.keepRoom();
   }
 
@@ -712,14 +727,15 @@ export class App {
       lead));
   }
 
-  private message(words: string): void {
-    this.state.replaceChildren(h("p", { class: "error", role: "alert", tabindex: 0 }, said(words)));
+  /** Words of the page, in which names of files stay as they are. */
+  private message(...words: Child[]): void {
+    this.state.replaceChildren(h("p", { class: "error", role: "alert", tabindex: 0 }, words));
   }
 
   private speak(): void {
     const { solved } = this;
     if (!solved) return;
-    const known = this.isEstimate ? (this.knownOf(solved, "estimate") ?? (solved.weighs ? this.knownOf(solved) : undefined)) : solved.weighs ? this.knownOf(solved) : undefined;
+    const known = this.isEstimate || solved.weighs ? this.answerOf(solved) : undefined;
     this.spoken.textContent = known?.headline[0] ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
   }
 
@@ -742,12 +758,17 @@ export class App {
     return this.key(command, units, essence);
   }
 
-  private keyOfJob: string | null = null;
-
   /** What is known of a case: in its units, or else in others until it is known in these. */
   private knownOf(solved: Solved, command: Command = solved.command): Known | undefined {
     const units: Units[] = [solved.units, "", "si", "us", "uk"];
     return units.map((one) => this.known.get(this.key(command, one, solved.essence))).find((known) => known !== undefined);
+  }
+
+  /** What is known of the question that is asked. */
+  private answerOf(solved: Solved): Known | undefined {
+    if (!this.isEstimate) return this.knownOf(solved);
+    // An estimate with the usual settings is what the weighed evidence gives.
+    return this.knownOf(solved, "estimate") ?? (solved.weighs ? this.knownOf(solved) : undefined);
   }
 
   /** The tables and drawings of weighed evidence that are still those of the case. */
@@ -890,7 +911,7 @@ export class App {
     const command = view === "" ? solved.command : (view as Command);
     if (kind === "html") {
       const made = engine.report(solved.text, this.name.value, command, solved.units);
-      if (!made.ok) this.message(engine.reason(made));
+      if (!made.ok) this.message(said(engine.reason(made)));
       return made.ok ? made.html : null;
     }
     const answer = view === "" ? solved.answer : engine.answer(solved.text, command, solved.units, solved.name);
@@ -932,7 +953,7 @@ export class App {
 
   /** Says why there is no file. */
   private refused(error: unknown): null {
-    this.message(error instanceof Error ? error.message : String(error));
+    this.message(said(error instanceof Error ? error.message : String(error)));
     return null;
   }
 
@@ -984,7 +1005,7 @@ export class App {
     const { plan, missing } = this.plan(solved);
     const made = make(solved, this.name.value, plan);
     if (!made.ok) {
-      this.message(engine.reason(made));
+      this.message(said(engine.reason(made)));
       return null;
     }
     if (missing !== undefined) this.message(texts.save.noPlan(missing));

@@ -24,6 +24,8 @@ const RANGES: Record<string, string[]> = {
 /** The numbers that may name their source: those of [avoid], without its places. */
 const SOURCED = /^avoid\.(?!.*\.[xy]$)/;
 
+const FIXED = ["vehicle1.fixed", "vehicle2.fixed"];
+
 /** So many fields of a table in a list all stand there; of more, the first do that the file gives or needs. */
 const FEW = 6;
 
@@ -50,6 +52,8 @@ export class Form {
   private unwritten = new Map<string, string>();
   private groups = new Map<string, { details: HTMLDetailsElement; fill(): void; more?: HTMLDetailsElement }>();
   private check: Check | null = null;
+  /** What is wrong with the file, or missing in it for its question. */
+  private problems: Problem[] = [];
   private open = new Set<string>(["vehicle1", "vehicle2", "impact", "vehicle1.crush", "vehicle2.crush"]);
   private badges = new Map<string, HTMLElement>();
   private shape = "";
@@ -61,7 +65,7 @@ export class Form {
   }
 
   /** Shows the file. Keys that were added elsewhere move to the others, unless someone is at work in the form. */
-  update(check: Check): void {
+  update(check: Check, problems: Problem[]): void {
     // Of a text that is no TOML nothing can be shown: the form waits until that is mended.
     const isBroken = check.problems.length > 0 && Object.keys(check.values).length === 0;
     this.element.classList.toggle("stale", isBroken);
@@ -71,7 +75,12 @@ export class Form {
       return;
     }
     this.check = check;
-    const shape = Object.keys(check.values).sort().join(" ");
+    this.problems = problems;
+    const shape = [
+      ...Object.keys(check.values).sort(),
+      ...problems.flatMap(({ key }) => (key === null || key in check.values ? [] : [key])),
+      ...FIXED.map((key) => check.values[key]?.text),
+    ].join(" ");
     const busy = this.element.contains(document.activeElement);
     if (shape !== this.shape && !(busy && this.shape !== "")) {
       this.shape = shape;
@@ -86,7 +95,7 @@ export class Form {
       const name = readValue(check.values[`${key}.name`]?.text ?? "");
       badge.textContent = this.given(key) ? (typeof name === "string" ? name : "") : words.notGiven;
     }
-    this.showProblems(check.problems);
+    this.showProblems();
   }
 
   /** Another file: nothing of the one before stays. */
@@ -138,9 +147,19 @@ export class Form {
     return key in values || Object.keys(values).some((name) => name.startsWith(`${key}.`) || name.startsWith(`${key}[`));
   }
 
+  /** The file lacks it, or it says how large a fixed object is. */
+  private isNeeded(key: string): boolean {
+    const [vehicle, diameter] = key.split(".");
+    if (diameter === "diameter" && this.check?.values[`${vehicle}.fixed`]?.text === "true") return true;
+    return this.problems.some((problem) => problem.key === key);
+  }
+
   private group(group: Group, depth: number): HTMLElement {
     const given = this.given(group.key);
-    const body = h("div", { class: "group-body" });
+    // What is wrong with the whole of it, or with a key that has no field.
+    const error = h("p", { class: "error", hidden: true });
+    this.errors.set(group.key, error);
+    const body = h("div", { class: "group-body" }, error);
     const badge = h("span", { class: "badge" });
     const summary = h("summary", {}, h("span", { class: "group-title" }, label(group.key)), badge);
     this.badges.set(group.key, badge);
@@ -155,7 +174,7 @@ export class Form {
       filled = true;
       body.append(...this.contents(group, depth));
       for (const [key, row] of this.rows) if (key.startsWith(group.key)) row.show(this.check?.values[key]?.text);
-      this.showProblems(this.check?.problems ?? []);
+      this.showProblems();
     };
     this.groups.set(group.key, { details, fill });
     details.addEventListener("toggle", () => {
@@ -173,7 +192,7 @@ export class Form {
 
   /** First what the file gives and what it needs, then the rest behind one line. */
   private contents(group: Group, depth = 0): HTMLElement[] {
-    const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true;
+    const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true || this.isNeeded(entry.key);
     // A word in place of the whole table, such as `crush = "none"`.
     const word: Field[] = group.choices?.length
       ? [{ ...group, choices: group.choices, kind: "choice", units: [], required: false, range: false, fields: [] }]
@@ -214,8 +233,8 @@ export class Form {
     return [...this.errors.keys()].filter(isWithin).sort((a, b) => b.length - a.length)[0];
   }
 
-  private showProblems(problems: Problem[]): void {
-    const shown = problems.map((problem) => ({ problem, by: problem.key && this.shownBy(problem.key) }));
+  private showProblems(): void {
+    const shown = this.problems.map((problem) => ({ problem, by: problem.key && this.shownBy(problem.key) }));
     for (const [key, place] of this.errors) {
       const own = shown.filter(({ by }) => by === key).map(({ problem }) => problem);
       const unwritten = this.unwritten.get(key);
@@ -288,7 +307,7 @@ export class Form {
           this.shape = "";
           this.next = field.key;
           if (place <= given()) this.host.write(key, "");
-          else if (this.check) this.update(this.check);
+          else if (this.check) this.update(this.check, this.problems);
         },
       }, words.removeItem);
       const name = `${words.item[key.slice(key.lastIndexOf(".") + 1).replace(/\[\d+\]$/, "")] ?? label(field.key)} ${made}`;
@@ -332,9 +351,16 @@ export class Form {
       if (words === (this.unwritten.get(field.key) ?? null)) return;
       if (words === null) this.unwritten.delete(field.key);
       else this.unwritten.set(field.key, words);
-      this.showProblems(this.check?.problems ?? []);
+      this.showProblems();
     };
-    const write = (toml: string) => complain(this.host.write(field.key, toml));
+    const write = (toml: string) => {
+      // Other fields are the first of an object that is fixed: the form is built anew, though someone is at work in it.
+      if (FIXED.includes(field.key)) {
+        this.shape = "";
+        this.next = field.key;
+      }
+      complain(this.host.write(field.key, toml));
+    };
     const usualUnit = () => (this.check ? unitFor(field, this.check) : (field.units[0] ?? ""));
     const list = numbersOf(field.key);
     const control = (list ? numbered(list) : (CONTROLS[field.kind] ?? raw))({

@@ -365,6 +365,8 @@ export class Avoid implements Panel {
   private readonly end = h("button", { type: "button", hidden: true, onclick: () => this.stop() }, texts.run.end);
   private readonly bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": texts.run.progress });
   private readonly status = h("p", { class: "hint", role: "status" });
+  /** What is found before there is an answer. */
+  private readonly finding = h("span", { class: "hint", hidden: true });
   private readonly what: HTMLElement;
   private readonly saving: HTMLElement;
   private readonly body = h("div");
@@ -384,7 +386,7 @@ export class Avoid implements Panel {
     this.saving = savers(texts.viewTabs.avoid ?? "", ["html", "json", "txt"], save);
     this.what = h("div", { class: "sliders", role: "group", "aria-label": texts.avoid.what },
       ...this.sliders.map(({ element }) => element), h("div", { class: "slider-buttons" }, this.use, this.back, this.status));
-    this.element.append(this.why, h("div", { class: "run-controls" }, this.bar, this.end), this.saving, this.what, this.body);
+    this.element.append(this.why, h("div", { class: "run-controls" }, this.finding, this.bar, this.end), this.saving, this.what, this.body);
     this.show(null);
   }
 
@@ -411,10 +413,10 @@ export class Avoid implements Panel {
     this.end.hidden = false;
     this.runner.start(job, {
       progress: (counted, done, total) => {
-        this.bar.hidden = false;
+        for (const part of [this.bar, this.finding]) part.hidden = false;
         this.bar.max = Math.max(total, 1);
         this.bar.value = done;
-        this.status.textContent = texts.run.done(counted, done, total);
+        this.finding.textContent = texts.avoid.finding(texts.run.done(counted, done, total));
       },
       answer: (answer) => {
         if (answer.ok) this.show(answer);
@@ -439,8 +441,7 @@ export class Avoid implements Panel {
   private show(answer: Finished | null): void {
     this.answer = answer;
     this.moved = null;
-    this.bar.hidden = true;
-    this.end.hidden = true;
+    for (const part of [this.bar, this.finding, this.end]) part.hidden = true;
     this.what.hidden = !answer;
     this.saving.hidden = !answer;
     for (const slider of this.sliders) slider.set(answer?.sliders?.find(({ key }) => key === slider.key));

@@ -76,6 +76,7 @@ onPage("the question whether it was avoidable has the answer of its view", async
   await openCase(page, name, fixture("avoid/evidence.toml"));
   await question(page, "crush");
   await tab(page, "Avoidability");
+  await page.locator(".avoid .run-controls", { hasText: /The speed at the impact is being found: [\d,]+ of [\d,]+/ }).waitFor();
   await page.locator(".avoid .document").waitFor({ timeout: 120_000 });
   await question(page, "avoid");
   await page.locator(".headline", { hasText: "Probability that it is avoided" }).waitFor();

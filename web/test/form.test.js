@@ -101,3 +101,86 @@ onPage("an empty field offers the unit that the case uses", async (page) => {
   await limit.locator("input").first().fill("14");
   assert.match(await caseText(page), /^limit *= "14 m\/s"/m);
 });
+
+onPage("what a case lacks is marked at its field, and worded for the form or the text", async (page) => {
+  const text = fixture("sae-980025.toml");
+  const without = (key) => text.replace(new RegExp(`^${key}\\s*=.*\\n`, "m"), "");
+  const top = async () => (await page.locator(".state").innerText()).replaceAll(/\s+/g, " ");
+  for (const [key, name, words] of [
+    ["impact.crush_plane", "crush_plane", "Fill in crush plane, for example -23 deg."],
+    ["vehicle1.weight", "weight", "Fill in weight, for example 3696 lb, or mass, for example 3700 lb."],
+    ["vehicle1.heading", "heading", "Fill in heading, for example 180 deg."],
+  ]) {
+    await openCase(page, `${name}.toml`, without(name));
+    const one = page.locator(`.form .field[data-key="${key}"]`);
+    await one.locator(":scope > .error:not([hidden])").waitFor();
+    assert.equal(await one.locator("input").first().isVisible(), true, key);
+    assert.equal(await one.locator("input").first().getAttribute("aria-invalid"), "true");
+    assert.ok((await one.locator(":scope > .error").innerText()).includes(words), await one.locator(":scope > .error").innerText());
+    assert.ok((await top()).includes(words), await top());
+  }
+  // Who turns to the text reads what is to be written there, and back again.
+  await openCase(page, "crush-plane.toml", without("crush_plane"));
+  await page.getByRole("tab", { name: "Text", exact: true }).click();
+  assert.match(await top(), /Add a line such as crush_plane = "-23 deg"/);
+  await page.getByRole("tab", { name: "Form", exact: true }).click();
+  assert.match(await top(), /Fill in crush plane/);
+  // A key that has no field is marked where it stands.
+  await openCase(page, "misspelt.toml", text.replace("yaw_inertia", "yaw_inertai"));
+  await page.locator('.form .group[data-key="vehicle1"] > .group-body > .error', { hasText: "yaw_inertai" }).waitFor();
+});
+
+onPage("a long message is read whole, with its help", async (page) => {
+  await openCase(page, "yaw.toml", fixture("sae-980025.toml").replace(/^yaw_inertia.*\n/m, ""));
+  const box = page.locator(".state > .error");
+  await box.waitFor();
+  await page.mouse.move(5, 5);
+  const { shown, all } = await box.evaluate((one) => ({ shown: one.clientHeight, all: one.scrollHeight }));
+  assert.ok(all > 60 && (shown >= all || shown > 150), `${shown} of ${all} px`);
+});
+
+onPage("an error says so where the scene would be, and names of files stay as they are", async (page) => {
+  await openCase(page, "wrong.toml", "[vehicle1]\nmass = 3\n");
+  await page.getByText("The case file has an error. Correct it, and the scene appears.").waitFor();
+  await page.locator('input[type="file"][accept*="toml"]').setInputFiles({ name: "report.pdf", mimeType: "application/pdf", buffer: Buffer.from([0xff, 0xfe, 0xfd]) });
+  await page.locator(".state .error", { hasText: "report.pdf is not a case file" }).waitFor();
+});
+
+onPage("a number with an exponent keeps it", async (page) => {
+  const weight = page.locator('[data-key="vehicle1.weight"]').first();
+  await weight.locator("input").first().fill("3.696e3");
+  await weight.locator("input").first().press("Tab");
+  assert.match(await caseText(page), /^weight *= "3\.696e3 lb"/m);
+  await page.waitForTimeout(300);
+  assert.equal(await weight.locator("input").first().inputValue(), "3.696e3");
+  assert.equal(await weight.locator("select.unit").inputValue(), "lb");
+  assert.equal(await page.locator(".state .error").count(), 0);
+});
+
+onPage("the diameter of a fixed object is one of its first fields", async (page) => {
+  const first = page.locator('.group[data-key="vehicle2"] > .group-body > [data-key="vehicle2.diameter"]');
+  assert.equal(await first.count(), 0);
+  const fixed = await field(page, "vehicle2.fixed");
+  await fixed.locator("select").selectOption("true");
+  await first.waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement.closest("[data-key]").dataset.key), "vehicle2.fixed");
+});
+
+onPage("no word of a label is broken", async (page) => {
+  await openCase(page, "pedestrian.toml", fixture("avoid/pedestrian.toml"));
+  await field(page, "avoid.deceleration");
+  for (let depth = 0; depth < 4; depth += 1) {
+    await page.locator(".form details:not([open])").evaluateAll((all) => all.forEach((one) => (one.open = true)));
+    await page.waitForTimeout(100);
+  }
+  const broken = await page.locator(".form .name label").evaluateAll((all) => all.flatMap((label) => {
+    const words = label.firstChild;
+    return [...words.data.matchAll(/\S+/g)].filter(({ 0: word, index }) => {
+      const place = document.createRange();
+      place.setStart(words, index);
+      place.setEnd(words, index + word.length);
+      return place.getClientRects().length > 1;
+    }).map(([word]) => word);
+  }));
+  assert.deepEqual(broken, []);
+});

@@ -178,11 +178,11 @@ export const texts = {
     against: "What speaks against the exact solution",
     byRangesAlone: {
       roomy: "These intervals do not contain the errors of the method. Those of the report do.",
-      short: "Without the errors of the method.",
+      brief: "Without the errors of the method.",
     },
     takenAsExact: {
       roomy: "The inputs and the method are taken as exact, so these figures have no interval. The view Estimate gives intervals that include the errors of both.",
-      short: "Taken as exact, these figures have no interval.",
+      brief: "Taken as exact, these figures have no interval.",
     },
     exact: (by: string) => `Exact solution${by === "" ? "" : ` by ${by}`}, not the answer:`,
     columns: { "speed 1": "speed of vehicle 1", "speed 2": "speed of vehicle 2", "ΔV 1": "ΔV of vehicle 1", "ΔV 2": "ΔV of vehicle 2" } as Record<string, string>,
@@ -321,6 +321,8 @@ export const texts = {
       confidence: "probability that it lies within",
     } as Record<string, string>,
     source: "source",
+    fillIn: "fill in",
+    forExample: (field: string, value: string) => `${field}, for example ${value}`,
     incomplete: "This range is not in the case yet: fill in all of its numbers.",
     rangeSign: { sd: "±", low: "from", mode: "likely", high: "to", within: "±", confidence: "probability" } as Record<string, string>,
   },
@@ -329,6 +331,8 @@ export const texts = {
     title: "scene",
     which: "What is drawn",
     none: "There is no plan view of this case. What can be drawn of it is under Drawings.",
+    error: "The case file has an error. Correct it, and the scene appears.",
+    moved: (handle: Handle, values: string[]): string => `${texts.scene.handle(handle)}: ${values.join("; ")}`,
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
@@ -465,6 +469,7 @@ export const texts = {
   },
 
   avoid: {
+    finding: (done: string) => `The speed at the impact is being found: ${done}`,
     elsewhere: "The view Avoidability shows whether the collision was avoidable.",
     what: "Try other numbers",
     sliders: { "avoid.limit": "At a speed of", "avoid.reaction_time": "With a reaction time of" },
