@@ -282,7 +282,9 @@ export class App {
       open.open = false;
       open.querySelector("summary")?.focus();
     });
-    window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
+    window.addEventListener("resize", () => {
+      for (const part of [this.headline, this.state]) part.style.minHeight = "";
+    });
     window.addEventListener("beforeprint", () => {
       this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
     });
@@ -387,7 +389,7 @@ export class App {
     this.endRuns();
     this.wait(null);
     this.headline.replaceChildren();
-    this.headline.style.minHeight = "";
+    for (const part of [this.headline, this.state]) part.style.minHeight = "";
     this.state.replaceChildren();
     if (!this.live && this.opened) this.welcome.remove();
     this.opened = true;
@@ -725,6 +727,13 @@ export class App {
         h("p", {}, h("strong", {}, worded(what)), " ", worded(help.join(" "))),
         problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null),
       lead));
+    this.keepRoomOfState();
+  }
+
+  /** The room that an error has taken stays its own, so that a field does not move while one types; a narrow page has none to spare. */
+  private keepRoomOfState(): void {
+    if (this.scene.busy || !window.matchMedia("(min-width: 900px)").matches) return;
+    this.state.style.minHeight = `${this.state.getBoundingClientRect().height}px`;
   }
 
   /** Words of the page, in which names of files stay as they are. */
@@ -1025,7 +1034,8 @@ export class App {
       bar.max = Math.max(total, 1);
       bar.value = done;
     });
-    this.wait(null);
+    // Where another report is waited for by now, that goes on.
+    if (!this.completing.busy) this.wait(null);
     if (content !== null && missing !== undefined) this.message(texts.save.noPlan(missing));
     return content;
   }

@@ -137,6 +137,12 @@ onPage("a long message is read whole, with its help", async (page) => {
   await page.mouse.move(5, 5);
   const { shown, all } = await box.evaluate((one) => ({ shown: one.clientHeight, all: one.scrollHeight }));
   assert.ok(all > 60 && (shown >= all || shown > 150), `${shown} of ${all} px`);
+  // It lies over nothing, and what is below it stays where it is when it goes.
+  const tabs = await page.locator(".view .tabs").boundingBox();
+  assert.ok((await box.boundingBox()).y + (await box.boundingBox()).height <= tabs.y);
+  await page.locator('[data-key="vehicle1.yaw_inertia"] input').first().fill("2437");
+  await box.waitFor({ state: "detached" });
+  assert.equal((await page.locator(".view .tabs").boundingBox()).y, tabs.y);
 });
 
 onPage("an error says so where the scene would be, and names of files stay as they are", async (page) => {
