@@ -1,14 +1,15 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
 import { book } from "./book.js";
-import { afterPause, download, eachFrame, h, showDialog } from "./dom.js";
+import { type Child, afterPause, download, eachFrame, h, showDialog } from "./dom.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
+import { essence } from "./essence.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
-import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
-import { inForm, said, saidOfText } from "./said.js";
+import { type FileKind, type Finished, type Job, type Picture, Runner } from "./runs.js";
+import { inForm, said, saidOfText, valueInWords } from "./said.js";
 import { SceneView, type Unit } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
@@ -17,6 +18,19 @@ import { readValue } from "./toml.js";
 
 /** (letters) of a result that is no number; what is longer is a sentence. */
 const LONGEST = 30;
+
+/** (answers) that are kept, so that who takes a change back has the answer at once. */
+const KEPT = 20;
+
+/** An answer that took a while. */
+interface Known {
+  text: string;
+  headline: string[];
+  /** Its intervals are those by the ranges of the case, without the errors of the method. */
+  isNarrow: boolean;
+  /** Of weighed evidence. */
+  weighed?: { html: string; plain: Picture[] | null };
+}
 
 export class App {
   private readonly editor: Editor;
@@ -41,15 +55,24 @@ export class App {
   private readonly avoid: Avoid;
   private saved = "";
   private opened = false;
-  private intervals: { text: string; headline: string[] } | null = null;
+  /** By question, units, and what of the case the answer depends on. */
+  private readonly known = new Map<string, Known>();
+  /** What `quick` runs, or has run. */
+  private job: Job | null = null;
+  /** The question of `job`, as `known` has it. */
+  private keyOfJob: string | null = null;
+  /** Why evidence could not be weighed. */
+  private unweighed: { key: string; message: string } | null = null;
+  /** What `completing` runs to have the intervals of the headline in other units. */
+  private widening: string | null = null;
+  /** A number of the case is a range, as far as this is known. */
+  private isRanged: boolean | null = null;
   /** Is told that all the evidence has been weighed, or that it will not be. */
   private whenWeighed: ((done: boolean) => void) | null = null;
   private readonly weighing = h("progress", { max: 1, value: 0, "aria-label": texts.run.progress });
   /** Makes what a report has beside the exact solution. */
   private readonly completing = new Runner();
   private readonly working = h("div", { class: "working", role: "status", hidden: true });
-  /** What the view of the estimate has answered. */
-  private estimated: { text: string; headline: string[] } | null = null;
 
   private readonly name = h("input", { type: "text", class: "file-name", "aria-label": texts.file.name, spellcheck: "false" });
   private readonly unsaved = h("span", { class: "unsaved", title: texts.file.unsaved, hidden: true }, "●");
@@ -81,8 +104,8 @@ export class App {
     const formPanel = h("div", { class: "panel form-panel" }, this.form.element);
     const textPanel = h("div", { class: "panel text-panel" });
     this.caseTabs = new Tabs(texts.caseTabs.label, [
-      { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.solved && this.form.update(this.solved.check) },
-      { name: "text", title: texts.caseTabs.text, panel: textPanel },
+      { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.showCase() },
+      { name: "text", title: texts.caseTabs.text, panel: textPanel, shown: () => this.showCase() },
     ]);
     this.editor = new Editor(textPanel, () => this.solveSoon(undefined));
 
@@ -98,15 +121,16 @@ export class App {
         this.editor.settle(keep);
         this.solveSoon.flush();
       },
-      refused: (message) => this.message(message),
+      refused: (message) => this.message(said(message)),
+      value: (key) => valueInWords(this.solved?.check.values[key]?.text),
       unit: () => this.unit(),
       measured: (metres, radians) => this.measured(metres, radians),
     });
 
     const lead = (key: string) => this.lead(key);
     const save = (kind: FileKind) => void this.saveShown(kind);
-    this.uncertainty = new Run("uncertainty", (job, result) => this.showInterval(job, result), save);
-    this.estimate = new Run("estimate", (job, result) => this.showEstimate(job, result), save, () => this.isEstimate && this.showHeadline());
+    this.uncertainty = new Run("uncertainty", () => undefined, save);
+    this.estimate = new Run("estimate", (job, result) => this.learn("estimate", job, { headline: result.headline, isNarrow: false }), save, () => this.isEstimate && this.showHeadline());
     this.panels.set("results", new Results());
     this.panels.set("drawings", new Drawings());
     this.panels.set("motion", new Motion());
@@ -114,7 +138,7 @@ export class App {
     this.panels.set("sensitivity", new Sensitivity(lead, save));
     this.panels.set("compare", new Compare(save));
     this.panels.set("estimate", this.estimate);
-    this.avoid = new Avoid((job, result) => this.solved?.command === "avoid" && this.showInterval(job, result), save, (text) => this.step(text));
+    this.avoid = new Avoid((job, result) => this.learn("avoid", job, { headline: result.headline, isNarrow: false }), save, (text) => this.step(text));
     this.panels.set("recorder", new Recorder(save, (key, table) => this.paste(key, table)));
     this.panels.set("avoid", this.avoid);
     this.panels.set("inputs", new Inputs());
@@ -152,8 +176,6 @@ export class App {
     const units = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
     units.addEventListener("change", () => {
       this.units = units.value as Units;
-      this.intervals = null;
-      this.estimated = null;
       this.solve();
     });
     const theme = h("select", { id: "theme" }, ...texts.themes.map(([value, name]) => h("option", { value }, name)));
@@ -260,7 +282,9 @@ export class App {
       open.open = false;
       open.querySelector("summary")?.focus();
     });
-    window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
+    window.addEventListener("resize", () => {
+      for (const part of [this.headline, this.state]) part.style.minHeight = "";
+    });
     window.addEventListener("beforeprint", () => {
       this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
     });
@@ -304,11 +328,12 @@ export class App {
     if (!this.scene.busy) this.editor.redo();
   }
 
-  private write(key: string, toml: string): void {
+  private write(key: string, toml: string): string | null {
     this.scene.end(true);
     const edited = engine.edit(this.editor.text, key, toml);
     if (edited.ok) this.editor.write(edited.text);
-    else this.message(edited.message);
+    else this.message(said(edited.message));
+    return edited.ok ? null : edited.message;
   }
 
   /** A change that is a step of the history by itself. */
@@ -332,9 +357,23 @@ export class App {
     else this.editor.view.focus();
   }
 
+  private updateForm(): void {
+    const { solved } = this;
+    if (!solved || this.caseTabs.shown !== "form") return;
+    const { problems } = solved.check;
+    // What another question lacks is missing to nobody.
+    this.form.update(solved.check, problems.length > 0 || this.isEstimate ? problems : solved.problems);
+  }
+
+  /** The form or the text is shown, and each is told of in its words what is wrong. */
+  private showCase(): void {
+    this.updateForm();
+    if (this.solved && !this.solved.look.ok) this.showAnswer();
+  }
+
   /** To the field of a key: in the form where that is shown, in the text otherwise. */
   private lead(key: string): void {
-    if (this.solved && this.caseTabs.shown === "form") this.form.update(this.solved.check);
+    this.updateForm();
     if (this.caseTabs.shown === "form" && this.form.focus(key)) return;
     this.reveal(key);
   }
@@ -343,14 +382,14 @@ export class App {
     this.name.value = name;
     this.saved = text;
     this.asked = "";
-    this.intervals = null;
-    this.estimated = null;
+    this.known.clear();
+    this.isRanged = null;
     this.estimable = false;
     this.solved = null;
-    this.quick.end();
+    this.endRuns();
     this.wait(null);
     this.headline.replaceChildren();
-    this.headline.style.minHeight = "";
+    for (const part of [this.headline, this.state]) part.style.minHeight = "";
     this.state.replaceChildren();
     if (!this.live && this.opened) this.welcome.remove();
     this.opened = true;
@@ -456,7 +495,6 @@ export class App {
 
   private ask(): void {
     this.asked = this.question.value as Command;
-    this.intervals = null;
     this.solve();
     if (["estimate", "avoid", "recorder"].includes(this.asked)) this.viewTabs.show(this.asked);
   }
@@ -476,17 +514,21 @@ export class App {
     const { what, viewport } = this.scene.wanted;
     const isScene = this.viewTabs.shown === "scene";
     const look = engine.look(text, this.asked === "estimate" ? "" : this.asked, this.units, isScene ? what : "none", viewport);
-    this.solved = new Solved(text, this.name.value, this.units, look);
+    const before = this.solved;
+    const solved = new Solved(text, this.name.value, this.units, look);
+    this.solved = solved;
+    solved.weighed = this.weighedBefore(solved);
     // What the text can be asked is known at once where it has no other answer; otherwise when the hand rests.
     if (!look.ok || look.headline.length === 0 || look.command === "recorder") this.estimable = this.solved.check.commands.estimate?.able === true;
     this.showQuestion();
     this.showAnswer();
     this.showFileState();
     for (const name of this.panels.keys()) this.stale.add(name);
-    if (isScene) this.scene.update(look.scene ?? null);
+    if (isScene) this.scene.update(look.scene ?? null, solved.problems.length > 0);
     else this.stale.add("scene");
-    this.quick.end();
-    this.whenWeighed?.(false);
+    // What runs goes on where the answer will be the same; who waits for a file of it wants that of this text.
+    if (!this.job || this.keyOf(solved) !== this.keyOfJob) this.endRuns();
+    if (before?.text !== text || before.name !== solved.name || before.units !== solved.units) this.whenWeighed?.(false);
     this.rest.ask();
     this.interval.ask();
     this.speakSoon.ask();
@@ -495,9 +537,15 @@ export class App {
   /** What follows. */
   showRest(): void {
     const { solved } = this;
-    if (!solved) return;
+    // Of a text that has changed since, the rest follows that change.
+    if (!solved || solved.text !== this.editor.text) return;
     this.rest.cancel();
     this.editor.mark(solved.problems);
+    const isRanged = solved.check.commands.uncertainty?.able === true;
+    if (isRanged !== this.isRanged && solved.look.ok) {
+      this.isRanged = isRanged;
+      this.showHeadline();
+    }
     const estimable = solved.check.commands.estimate?.able === true;
     if (estimable !== this.estimable) {
       this.estimable = estimable;
@@ -505,7 +553,7 @@ export class App {
       // Otherwise the answer is the same, and who is at work in its warnings stays there.
       if (this.asked === "estimate") this.showAnswer();
     }
-    if (this.caseTabs.shown === "form") this.form.update(solved.check);
+    this.updateForm();
     this.show(this.viewTabs.shown);
   }
 
@@ -549,8 +597,14 @@ export class App {
     else if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
     else {
       const isOpen = this.state.querySelector("details")?.open ?? false;
+      const aside = look.warnings.filter((warning) => solved.isAside(warning));
+      const own = look.warnings.filter((warning) => !aside.includes(warning));
+      const lead = (key: string) => this.lead(key);
       const list = h("details", { class: "warned" },
-        h("summary", {}, texts.answer.warnings(look.warnings.length)), warnings(look.warnings, (key) => this.lead(key)));
+        h("summary", {}, texts.answer.warnings(own.length, aside.length)),
+        h("div", { class: "warned-list" },
+          own.length > 0 ? warnings(own, lead) : null,
+          aside.length > 0 ? [h("h2", {}, texts.answer.against), warnings(aside, lead)] : null));
       list.open = isOpen;
       this.state.replaceChildren(list);
     }
@@ -565,30 +619,40 @@ export class App {
   }
 
   private showHeadline(): void {
-    const { solved } = this;
-    if (!solved) return;
-    if (this.isEstimate) {
-      this.headline.classList.remove("stale");
-      if (this.estimated?.text === solved.text) this.showLines(this.estimated.headline, true);
-      else this.showLead();
-      return;
-    }
-    if (!solved.look.ok) return;
-    const { headline } = solved.look;
+    const { solved, isEstimate } = this;
+    if (!solved || (!isEstimate && !solved.look.ok)) return;
     this.headline.classList.remove("stale");
-    const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
-    if (solved.weighs && !interval) {
-      this.weighing.removeAttribute("value");
-      this.headline.replaceChildren(h("p", { class: "note weighing" }, texts.answer.weighing, this.weighing));
+    const known = this.answerOf(solved);
+    if (known) {
+      this.showLines(known.headline, true, known.isNarrow ? texts.answer.byRangesAlone : null);
       return;
     }
+    if (isEstimate && (this.estimate.busy || !solved.weighs)) {
+      this.showLead();
+      return;
+    }
+    if (solved.weighs) {
+      if (this.unweighed?.key === this.keyOf(solved)) this.headline.replaceChildren(h("p", { class: "error" }, `${texts.answer.notWeighed} ${this.unweighed.message}`));
+      else this.showWeighing(solved);
+      return;
+    }
+    const headline = solved.look.ok ? solved.look.headline : [];
     if (headline.length === 0) {
       const [view, words] = solved.command === "avoid" ? ["avoid", texts.answer.inAvoid] as const : ["results", texts.answer.inResults] as const;
       this.headline.replaceChildren(h("p", { class: "note" }, words),
         h("button", { type: "button", onclick: () => this.viewTabs.show(view) }, texts.viewTabs[view]));
-    }
-    const lines = interval ?? headline;
-    if (lines.length > 0) this.showLines(lines, interval !== null);
+    } else this.showLines(headline, false, solved.command === "reconstruct" && this.isRanged === false ? texts.answer.takenAsExact : null);
+  }
+
+  /** That the evidence is being weighed, with the exact solution until that is done. */
+  private showWeighing({ aside }: Solved): void {
+    if (!this.weighing.isConnected) this.weighing.removeAttribute("value");
+    const { by, figures } = aside;
+    const words = figures.map(([column, figure]) => `${texts.answer.columns[column] ?? column} ${figure}`).join(", ");
+    this.headline.replaceChildren(h("div", { class: "note weighing" },
+      h("p", {}, texts.answer.weighing), this.weighing,
+      figures.length > 0 ? h("p", { class: "aside" }, texts.answer.exact(by), " ", h("strong", {}, words)) : null));
+    this.keepRoom();
   }
 
   /** That the case is one for an estimate, and the way there. */
@@ -606,7 +670,7 @@ export class App {
       h("button", { type: "button", class: "primary", onclick: start }, texts.answer.startEstimate)));
   }
 
-  private showLines(lines: string[], interval: boolean): void {
+  private showLines(lines: string[], interval: boolean, note: { roomy: string; brief: string } | null): void {
     const shown = lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
@@ -617,7 +681,9 @@ export class App {
       const [, main = value, more = ""] = /^(.*?)((?: \(|[,;] ).*)?$/.exec(value) ?? [];
       return h("div", { class: `result${place === 0 ? " first" : ""}${interval ? " interval" : ""}` },
         h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
-        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^[,;] |\.$/g, "")));
+        h("span", { class: "result-value" }, main),
+        // What only says the same in another unit is the first to go where there is little room.
+        h("span", { class: /^ \([\d.,]+ [^\s%]+\)$/.test(more) ? "result-more again" : "result-more" }, more.replace(/^[,;] |\.$/g, "")));
     });
     // Sentences that follow each other stand beneath each other, in one column.
     const columns: HTMLElement[] = [];
@@ -626,7 +692,11 @@ export class App {
       if (part.tagName === "P" && last?.classList.contains("sentences")) last.append(part);
       else columns.push(part.tagName === "P" && shown.length > 1 ? h("div", { class: "sentences" }, part) : part);
     }
-    this.headline.replaceChildren(...columns);
+    this.headline.replaceChildren(...columns, ...(note ? [h("p", { class: "note of-interval" }, h("span", { class: "roomy" }, note.roomy), h("span", { class: "brief" }, note.brief))] : []));
+    this.keepRoom();
+  }
+
+  private keepRoom(): void {
     // The room that the answer has taken stays its own, so that nothing below it moves when a range is computed anew.
     const floor = Number.parseFloat(this.headline.style.minHeight) || 0;
     const { height } = this.headline.getBoundingClientRect();
@@ -657,25 +727,90 @@ export class App {
         h("p", {}, h("strong", {}, worded(what)), " ", worded(help.join(" "))),
         problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null),
       lead));
+    this.keepRoomOfState();
   }
 
-  private message(words: string): void {
-    this.state.replaceChildren(h("p", { class: "error", role: "alert", tabindex: 0 }, said(words)));
+  /** The room that an error has taken stays its own, so that a field does not move while one types; a narrow page has none to spare. */
+  private keepRoomOfState(): void {
+    if (this.scene.busy || !window.matchMedia("(min-width: 900px)").matches) return;
+    this.state.style.minHeight = `${this.state.getBoundingClientRect().height}px`;
+  }
+
+  /** Words of the page, in which names of files stay as they are. */
+  private message(...words: Child[]): void {
+    this.state.replaceChildren(h("p", { class: "error", role: "alert", tabindex: 0 }, words));
   }
 
   private speak(): void {
     const { solved } = this;
     if (!solved) return;
-    const estimated = this.isEstimate && this.estimated?.text === solved.text ? this.estimated.headline[0] : undefined;
-    const weighed = solved.weighs && this.intervals?.text === solved.text ? this.intervals.headline[0] : undefined;
-    this.spoken.textContent = estimated ?? weighed ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
+    const known = this.isEstimate || solved.weighs ? this.answerOf(solved) : undefined;
+    this.spoken.textContent = known?.headline[0] ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
   }
 
   private showFileState(): void {
-    this.unsaved.hidden = this.editor.text === this.saved;
+    const isSaved = this.editor.text === this.saved;
+    this.unsaved.hidden = isSaved;
+    document.title = texts.pageTitle(this.name.value, isSaved);
     const { undo, redo } = this.editor.can;
     this.undoButton.disabled = !undo;
     this.redoButton.disabled = !redo;
+  }
+
+  // --- what takes a while ---
+
+  private key(command: Command, units: Units, essence: string): string {
+    return [command, units, essence].join("\n");
+  }
+
+  private keyOf({ command, units, essence }: Solved): string {
+    return this.key(command, units, essence);
+  }
+
+  /** What is known of a case: in its units, or else in others until it is known in these. */
+  private knownOf(solved: Solved, command: Command = solved.command): Known | undefined {
+    const units: Units[] = [solved.units, "", "si", "us", "uk"];
+    return units.map((one) => this.known.get(this.key(command, one, solved.essence))).find((known) => known !== undefined);
+  }
+
+  /** What is known of the question that is asked. */
+  private answerOf(solved: Solved): Known | undefined {
+    if (!this.isEstimate) return this.knownOf(solved);
+    // An estimate with the usual settings is what the weighed evidence gives.
+    return this.knownOf(solved, "estimate") ?? (solved.weighs ? this.knownOf(solved) : undefined);
+  }
+
+  /** The tables and drawings of weighed evidence that are still those of the case. */
+  private weighedBefore(solved: Solved): Solved["weighed"] {
+    const known = solved.weighs ? this.known.get(this.keyOf(solved)) : undefined;
+    if (!known?.weighed || known.text === solved.text) return known?.weighed ?? null;
+    // Title and source head the tables; the title heads the drawings, too.
+    const head = /<header>.*?<\/header>/s;
+    const now = solved.answer?.ok ? (head.exec(solved.answer.html)?.[0] ?? "") : "";
+    const { html, plain } = known.weighed;
+    return { html: html.replace(head, () => now), plain: head.exec(html)?.[0] === now ? plain : null };
+  }
+
+  /** Keeps an answer, and shows it where it is that of the case. */
+  private learn(command: Command, { text, units }: Job, answer: Omit<Known, "text">): void {
+    if (answer.headline.length === 0) return;
+    const key = this.key(command, units, essence(text));
+    const before = this.known.get(key);
+    // Of two intervals that of the method, too, is the answer, whichever came last.
+    if (before && !before.isNarrow && answer.isNarrow) return;
+    this.known.delete(key);
+    this.known.set(key, { text, ...answer });
+    for (const oldest of [...this.known.keys()].slice(0, -KEPT)) this.known.delete(oldest);
+    this.showHeadline();
+    if (this.solved?.weighs || command === "estimate") this.speakSoon.ask();
+  }
+
+  private endRuns(): void {
+    this.quick.end();
+    this.job = null;
+    this.keyOfJob = null;
+    if (this.widening !== null) this.completing.end();
+    this.widening = null;
   }
 
   /**
@@ -684,50 +819,75 @@ export class App {
    */
   private runInterval(): void {
     const { solved } = this;
-    if (!solved?.look.ok || this.isEstimate) return;
+    if (!solved?.look.ok || (this.isEstimate && !solved.weighs)) return;
     const { weighs, command } = solved;
     if (command === "avoid") this.avoid.refresh(solved);
     if (command === "avoid" || command === "recorder") return;
-    if (!weighs && !solved.check.commands.uncertainty?.able) return;
-    const job: Job = { kind: weighs ? "reconstruct" : "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
-    let html = "";
+    const key = this.keyOf(solved);
+    if (this.known.has(key) || this.keyOfJob === key) return;
+    if (weighs) this.weigh(solved);
+    // Ranges move the fullest answer of the case.
+    else if (command === solved.look.able[0] && solved.check.commands.uncertainty?.able) {
+      if (this.knownOf(solved)?.isNarrow === false) this.widen(solved);
+      else this.findInterval(solved);
+    }
+  }
+
+  private jobOf({ text, name, units }: Solved, kind: Job["kind"]): Job {
+    return { kind, text, name, units, options: {} };
+  }
+
+  private findInterval(solved: Solved): void {
+    const job = this.jobOf(solved, "uncertainty");
+    this.job = job;
+    this.keyOfJob = this.keyOf(solved);
+    this.quick.start(job, {
+      answer: (answer) => {
+        // Nobody looks at the pictures of an interval.
+        this.endRuns();
+        if (answer.ok) this.learn(solved.command, job, { headline: answer.headline, isNarrow: true });
+      },
+    });
+  }
+
+  private weigh(solved: Solved): void {
+    const job = this.jobOf(solved, "reconstruct");
+    this.job = job;
+    this.keyOfJob = this.keyOf(solved);
+    let found: Finished | null = null;
+    this.weighing.removeAttribute("value");
     this.quick.start(job, {
       progress: (_, done, total) => {
         this.weighing.max = Math.max(total, 1);
         this.weighing.value = done;
       },
       answer: (answer) => {
-        // Of what was weighed the files can be asked for. Nobody looks at the pictures of an interval.
-        if (!weighs || !answer.ok) this.quick.end();
         if (answer.ok) {
-          html = answer.html;
-          this.showInterval(job, answer);
-        } else if (weighs && job.text === this.solved?.text) {
-          this.headline.replaceChildren(h("p", { class: "error" }, `${texts.answer.notWeighed} ${answer.message}`));
-          this.whenWeighed?.(false);
+          found = answer;
+          this.learn("reconstruct", job, { headline: answer.headline, isNarrow: false });
+          return;
         }
+        this.quick.end();
+        this.unweighed = { key: this.keyOf(solved), message: answer.message };
+        this.showHeadline();
+        this.whenWeighed?.(false);
       },
       pictures: (plain) => {
-        solved.weighed = { html, plain };
+        if (found) this.learn("reconstruct", job, { headline: found.headline, isNarrow: false, weighed: { html: found.html, plain } });
+        if (this.solved) this.solved.weighed = this.weighedBefore(this.solved);
         for (const name of ["results", "drawings"]) this.stale.add(name);
-        if (this.solved === solved && this.viewTabs.shown !== "scene") this.show(this.viewTabs.shown);
+        if (this.viewTabs.shown !== "scene") this.show(this.viewTabs.shown);
         this.whenWeighed?.(true);
       },
     });
   }
 
-  private showInterval(job: Job, result: Finished): void {
-    if (job.text !== this.solved?.text || result.headline.length === 0) return;
-    this.intervals = { text: job.text, headline: result.headline };
-    this.showHeadline();
-    if (this.solved.weighs) this.speakSoon.ask();
-  }
-
-  private showEstimate(job: Job, result: Finished): void {
-    if (job.text !== this.solved?.text || result.headline.length === 0) return;
-    this.estimated = { text: job.text, headline: result.headline };
-    this.showHeadline();
-    this.speakSoon.ask();
+  /** The intervals with the errors of the method, which the headline has in other units. */
+  private widen(solved: Solved): void {
+    const key = this.keyOf(solved);
+    if (this.widening === key || this.completing.busy) return;
+    this.widening = key;
+    void this.complete(solved, () => undefined).then(() => (this.widening = null));
   }
 
   // --- what is handed over ---
@@ -760,7 +920,7 @@ export class App {
     const command = view === "" ? solved.command : (view as Command);
     if (kind === "html") {
       const made = engine.report(solved.text, this.name.value, command, solved.units);
-      if (!made.ok) this.message(engine.reason(made));
+      if (!made.ok) this.message(said(engine.reason(made)));
       return made.ok ? made.html : null;
     }
     const answer = view === "" ? solved.answer : engine.answer(solved.text, command, solved.units, solved.name);
@@ -802,7 +962,7 @@ export class App {
 
   /** Says why there is no file. */
   private refused(error: unknown): null {
-    this.message(error instanceof Error ? error.message : String(error));
+    this.message(said(error instanceof Error ? error.message : String(error)));
     return null;
   }
 
@@ -823,11 +983,13 @@ export class App {
 
   /** A file of all the evidence, weighed: as soon as that is done. */
   private async weighed(solved: Solved, kind: FileKind, page?: string): Promise<string | null> {
-    if (!solved.weighed) {
+    const isOfText = () => this.job?.text === solved.text && this.job.name === solved.name && this.job.units === solved.units;
+    if (!isOfText() || this.quick.busy) {
       this.whenWeighed?.(false);
       const done = await new Promise<boolean>((resolve) => {
         this.whenWeighed = resolve;
         this.wait(texts.save.whenWeighed, () => resolve(false));
+        if (!isOfText()) this.weigh(solved);
       });
       this.whenWeighed = null;
       this.wait(null);
@@ -852,7 +1014,7 @@ export class App {
     const { plan, missing } = this.plan(solved);
     const made = make(solved, this.name.value, plan);
     if (!made.ok) {
-      this.message(engine.reason(made));
+      this.message(said(engine.reason(made)));
       return null;
     }
     if (missing !== undefined) this.message(texts.save.noPlan(missing));
@@ -864,34 +1026,41 @@ export class App {
     const { solved } = this;
     const isQuick = !solved?.look.ok || solved.command !== "reconstruct" || !solved.check.commands.uncertainty?.able;
     if (isQuick) return this.handover(({ text, command, units }, name, plan) => engine.report(text, name, command, units, plan));
-    const { plan, missing } = this.plan(solved);
+    const { missing } = this.plan(solved);
     const bar = h("progress", { max: 1, "aria-label": texts.run.progress });
+    this.widening = null;
+    this.wait(texts.save.completing, () => this.completing.end(), bar);
+    const content = await this.complete(solved, (done, total) => {
+      bar.max = Math.max(total, 1);
+      bar.value = done;
+    });
+    // Where another report is waited for by now, that goes on.
+    if (!this.completing.busy) this.wait(null);
+    if (content !== null && missing !== undefined) this.message(texts.save.noPlan(missing));
+    return content;
+  }
+
+  /** The report with the errors of the method. What leads it leads the screen, too. */
+  private async complete(solved: Solved, progress: (done: number, total: number) => void): Promise<string | null> {
+    const { plan } = this.plan(solved);
+    const job = this.jobOf(solved, "reconstruct");
     const content = await new Promise<string | null>((resolve) => {
-      const end = (made: string | null) => {
-        this.completing.end();
-        this.wait(null);
-        resolve(made);
-      };
-      this.wait(texts.save.completing, () => end(null), bar);
-      this.completing.start({ kind: "reconstruct", text: solved.text, name: solved.name, units: solved.units, options: {} }, {
-        progress: (_, done, total) => {
-          bar.max = Math.max(total, 1);
-          bar.value = done;
-        },
+      this.completing.start(job, {
+        progress: (_, done, total) => progress(done, total),
         answer: (answer) => {
           if (!answer.ok) end(this.refused(new Error(answer.message)));
         },
         pictures: () => void this.completing.file("html", { plan })?.then(end, (error: unknown) => end(this.refused(error))),
+        ended: () => resolve(null),
       });
+      const end = (made: string | null) => {
+        resolve(made);
+        this.completing.end();
+      };
     });
-    if (content !== null && missing !== undefined) this.message(texts.save.noPlan(missing));
-    // What leads the report leads the screen, too.
     const lead = new DOMParser().parseFromString(content ?? "", "text/html").querySelector("p.answer");
     const headline = [...(lead?.childNodes ?? [])].map((line) => line.textContent ?? "").filter((line) => line.trim() !== "");
-    if (headline.length > 0 && this.solved?.text === solved.text) {
-      this.intervals = { text: solved.text, headline };
-      this.showHeadline();
-    }
+    this.learn(solved.command, job, { headline, isNarrow: false });
     return content;
   }
 

@@ -7,6 +7,7 @@ import type { Check, Field, Group, Problem } from "./engine.js";
 import { label, nameOf, root } from "./keys.js";
 import { inForm, inWords, said } from "./said.js";
 import { texts } from "./texts/en.js";
+import { unitFor } from "./units.js";
 import { type Value, readValue, splitUnit, writeValue } from "./toml.js";
 
 const words = texts.form;
@@ -20,6 +21,11 @@ const RANGES: Record<string, string[]> = {
   within: ["value", "within", "confidence"],
 };
 
+/** The numbers that may name their source: those of [avoid], without its places. */
+const SOURCED = /^avoid\.(?!.*\.[xy]$)/;
+
+const FIXED = ["vehicle1.fixed", "vehicle2.fixed"];
+
 /** So many fields of a table in a list all stand there; of more, the first do that the file gives or needs. */
 const FEW = 6;
 
@@ -32,8 +38,8 @@ interface Row {
 }
 
 export interface FormHost {
-  /** Writes a key, in TOML; the empty text takes it away. */
-  write(key: string, toml: string): void;
+  /** Writes a key, in TOML; the empty text takes it away. Answers why it cannot, or nothing. */
+  write(key: string, toml: string): string | null;
   /** Shows a key in the text. */
   reveal(key: string): void;
 }
@@ -42,8 +48,12 @@ export class Form {
   readonly element = h("form", { class: "form", autocomplete: "off", "aria-label": words.label });
   private rows = new Map<string, Row>();
   private errors = new Map<string, HTMLElement>();
+  /** Why a field shows what the case does not have. */
+  private unwritten = new Map<string, string>();
   private groups = new Map<string, { details: HTMLDetailsElement; fill(): void; more?: HTMLDetailsElement }>();
   private check: Check | null = null;
+  /** What is wrong with the file, or missing in it for its question. */
+  private problems: Problem[] = [];
   private open = new Set<string>(["vehicle1", "vehicle2", "impact", "vehicle1.crush", "vehicle2.crush"]);
   private badges = new Map<string, HTMLElement>();
   private shape = "";
@@ -55,7 +65,7 @@ export class Form {
   }
 
   /** Shows the file. Keys that were added elsewhere move to the others, unless someone is at work in the form. */
-  update(check: Check): void {
+  update(check: Check, problems: Problem[]): void {
     // Of a text that is no TOML nothing can be shown: the form waits until that is mended.
     const isBroken = check.problems.length > 0 && Object.keys(check.values).length === 0;
     this.element.classList.toggle("stale", isBroken);
@@ -65,7 +75,12 @@ export class Form {
       return;
     }
     this.check = check;
-    const shape = Object.keys(check.values).sort().join(" ");
+    this.problems = problems;
+    const shape = [
+      ...Object.keys(check.values).sort(),
+      ...problems.flatMap(({ key }) => (key === null || key in check.values ? [] : [key])),
+      ...FIXED.map((key) => check.values[key]?.text),
+    ].join(" ");
     const busy = this.element.contains(document.activeElement);
     if (shape !== this.shape && !(busy && this.shape !== "")) {
       this.shape = shape;
@@ -80,13 +95,13 @@ export class Form {
       const name = readValue(check.values[`${key}.name`]?.text ?? "");
       badge.textContent = this.given(key) ? (typeof name === "string" ? name : "") : words.notGiven;
     }
-    this.showProblems(check.problems);
+    this.showProblems();
   }
 
   /** Another file: nothing of the one before stays. */
   reset(): void {
     this.shape = "";
-    for (const part of [this.rows, this.errors, this.groups, this.badges]) part.clear();
+    for (const part of [this.rows, this.errors, this.unwritten, this.groups, this.badges]) part.clear();
     this.element.replaceChildren();
   }
 
@@ -115,6 +130,7 @@ export class Form {
   private build(): void {
     this.rows.clear();
     this.errors.clear();
+    this.unwritten.clear();
     this.groups.clear();
     this.badges.clear();
     const top = root();
@@ -131,9 +147,19 @@ export class Form {
     return key in values || Object.keys(values).some((name) => name.startsWith(`${key}.`) || name.startsWith(`${key}[`));
   }
 
+  /** The file lacks it, or it says how large a fixed object is. */
+  private isNeeded(key: string): boolean {
+    const [vehicle, diameter] = key.split(".");
+    if (diameter === "diameter" && this.check?.values[`${vehicle}.fixed`]?.text === "true") return true;
+    return this.problems.some((problem) => problem.key === key);
+  }
+
   private group(group: Group, depth: number): HTMLElement {
     const given = this.given(group.key);
-    const body = h("div", { class: "group-body" });
+    // What is wrong with the whole of it, or with a key that has no field.
+    const error = h("p", { class: "error", hidden: true });
+    this.errors.set(group.key, error);
+    const body = h("div", { class: "group-body" }, error);
     const badge = h("span", { class: "badge" });
     const summary = h("summary", {}, h("span", { class: "group-title" }, label(group.key)), badge);
     this.badges.set(group.key, badge);
@@ -148,7 +174,7 @@ export class Form {
       filled = true;
       body.append(...this.contents(group, depth));
       for (const [key, row] of this.rows) if (key.startsWith(group.key)) row.show(this.check?.values[key]?.text);
-      this.showProblems(this.check?.problems ?? []);
+      this.showProblems();
     };
     this.groups.set(group.key, { details, fill });
     details.addEventListener("toggle", () => {
@@ -166,7 +192,7 @@ export class Form {
 
   /** First what the file gives and what it needs, then the rest behind one line. */
   private contents(group: Group, depth = 0): HTMLElement[] {
-    const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true;
+    const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true || this.isNeeded(entry.key);
     // A word in place of the whole table, such as `crush = "none"`.
     const word: Field[] = group.choices?.length
       ? [{ ...group, choices: group.choices, kind: "choice", units: [], required: false, range: false, fields: [] }]
@@ -207,17 +233,22 @@ export class Form {
     return [...this.errors.keys()].filter(isWithin).sort((a, b) => b.length - a.length)[0];
   }
 
-  private showProblems(problems: Problem[]): void {
-    const shown = problems.map((problem) => ({ problem, by: problem.key && this.shownBy(problem.key) }));
+  private showProblems(): void {
+    const shown = this.problems.map((problem) => ({ problem, by: problem.key && this.shownBy(problem.key) }));
     for (const [key, place] of this.errors) {
       const own = shown.filter(({ by }) => by === key).map(({ problem }) => problem);
-      place.hidden = own.length === 0;
-      place.replaceChildren();
-      for (const problem of own) place.append(h("span", {}, said(inForm(problem, this.check?.values[key]?.text).join(" "))));
+      const unwritten = this.unwritten.get(key);
+      const sentences = [
+        ...(unwritten === undefined ? [] : [unwritten]),
+        ...own.map((problem) => inForm(problem, this.check?.values[key]?.text).join(" ")),
+      ];
+      const isWrong = sentences.length > 0;
+      place.hidden = !isWrong;
+      place.replaceChildren(...sentences.map((words) => h("span", {}, said(words))));
       const row = this.rows.get(key)?.element;
-      row?.classList.toggle("wrong", own.length > 0);
+      row?.classList.toggle("wrong", isWrong);
       for (const input of row?.querySelectorAll(":scope > .control :is(input, select, textarea)") ?? []) {
-        if (own.length > 0) input.setAttribute("aria-invalid", "true");
+        if (isWrong) input.setAttribute("aria-invalid", "true");
         else input.removeAttribute("aria-invalid");
       }
     }
@@ -276,7 +307,7 @@ export class Form {
           this.shape = "";
           this.next = field.key;
           if (place <= given()) this.host.write(key, "");
-          else if (this.check) this.update(this.check);
+          else if (this.check) this.update(this.check, this.problems);
         },
       }, words.removeItem);
       const name = `${words.item[key.slice(key.lastIndexOf(".") + 1).replace(/\[\d+\]$/, "")] ?? label(field.key)} ${made}`;
@@ -316,9 +347,25 @@ export class Form {
     if (field.kind === "tables" && field.fields.length > 0) return this.list(field);
     const id = unique("field");
     const { element, line } = this.frame(field, id);
-    const write = (toml: string) => this.host.write(field.key, toml);
+    const complain = (words: string | null) => {
+      if (words === (this.unwritten.get(field.key) ?? null)) return;
+      if (words === null) this.unwritten.delete(field.key);
+      else this.unwritten.set(field.key, words);
+      this.showProblems();
+    };
+    const write = (toml: string) => {
+      // Other fields are the first of an object that is fixed: the form is built anew, though someone is at work in it.
+      if (FIXED.includes(field.key)) {
+        this.shape = "";
+        this.next = field.key;
+      }
+      complain(this.host.write(field.key, toml));
+    };
+    const usualUnit = () => (this.check ? unitFor(field, this.check) : (field.units[0] ?? ""));
     const list = numbersOf(field.key);
-    const control = (list ? numbered(list) : (CONTROLS[field.kind] ?? raw))({ field, id, write, reveal: () => this.host.reveal(field.key) });
+    const control = (list ? numbered(list) : (CONTROLS[field.kind] ?? raw))({
+      field, id, write, complain, usualUnit, reveal: () => this.host.reveal(field.key),
+    });
     line.append(...control.elements);
     const row: Row = {
       element,
@@ -353,6 +400,10 @@ interface Asked {
   field: Field;
   id: string;
   write(toml: string): void;
+  /** Says why the field shows what the case does not have; nothing once it shows the case again. */
+  complain(words: string | null): void;
+  /** The unit of an empty field. */
+  usualUnit(): string;
   reveal(): void;
 }
 
@@ -454,7 +505,7 @@ function flag({ id, write }: Asked): Control {
 }
 
 /** What has no form of its own stands as it does in the file. */
-function raw({ field, id, write, reveal }: Asked): Control {
+function raw({ field, id, write, complain, reveal }: Asked): Control {
   const input = h("input", { id, type: "text", class: "raw", "aria-describedby": `${id}-error`, spellcheck: "false" });
   input.addEventListener("input", () => input.value !== "" && readValue(input.value) !== undefined && write(input.value));
   input.addEventListener("change", () => (input.value === "" || readValue(input.value) === undefined) && write(input.value));
@@ -463,13 +514,15 @@ function raw({ field, id, write, reveal }: Asked): Control {
     elements: [input, toText],
     show: (given) => {
       const now = (given ?? "").replaceAll(/\s*\n\s*/g, " ");
-      if (!isBusy(input) && input.value !== now) input.value = now;
+      if (isBusy(input)) return;
+      if (input.value !== now) input.value = now;
+      complain(null);
     },
   };
 }
 
 /** A number, or several, with a unit where it has one, and with a range where it may have one. */
-function quantity({ field, id, write }: Asked): Control {
+function quantity({ field, id, write, complain, usualUnit }: Asked): Control {
   const isList = field.kind === "quantities" || field.kind === "numbers";
   const central = isList ? "values" : "value";
   const { units } = field;
@@ -477,6 +530,8 @@ function quantity({ field, id, write }: Asked): Control {
   let parts: Record<string, string> = {};
   let shown: string | undefined;
   let isForeign = false;
+  /** Someone has chosen the unit of a field that is still empty. */
+  let isChosen = false;
 
   const inputs = new Map<string, HTMLInputElement>();
   const main = h("input", {
@@ -490,6 +545,8 @@ function quantity({ field, id, write }: Asked): Control {
   const select = h("select", { class: "unit", "aria-label": words.unitOf(nameOf(field.key)) });
   const modes = h("select", { class: "mode", "aria-label": words.knownOf(nameOf(field.key)), title: words.known });
   const range = h("div", { class: "range" });
+  const source = h("input", { type: "text", class: "source", "aria-label": `${nameOf(field.key)}: ${words.source}` });
+  const origin = h("label", { class: "range-part origin" }, h("span", { "aria-hidden": "true" }, words.source), source);
   const allowed = Object.entries(RANGES).filter(([, keys]) =>
     isList ? keys.every((key) => !["low", "mode", "high"].includes(key)) : true,
   );
@@ -524,25 +581,41 @@ function quantity({ field, id, write }: Asked): Control {
   const commit = () => {
     const keys = Object.keys(parts);
     if (keys.length === 0 || keys.every((key) => (parts[key] ?? "").trim() === "")) return;
-    if (keys.length === 1 && keys[0] === central) {
+    const named: Record<string, Value> = source.value.trim() === "" ? {} : { source: source.value };
+    if (keys.length === 1 && keys[0] === central && !("source" in named)) {
       const number = (parts[central] ?? "").trim();
       // A bare number stays as it was written.
       const isPlain = units.length === 0 && !isList && /^[+-]?\d+(\.\d+)?([eE][+-]?\d+)?$/.test(number);
       shown = isPlain ? number : writeValue(written(central, number));
     } else {
-      shown = writeValue(Object.fromEntries(keys.map((key) => [key, written(key, parts[key] ?? "")])));
+      shown = writeValue({ ...Object.fromEntries(keys.map((key) => [key, written(key, parts[key] ?? "")])), ...named });
     }
+    fillSource();
     write(shown);
   };
 
+  const clear = () => {
+    shown = undefined;
+    write("");
+  };
+
   const isWhole = () => Object.values(parts).every((part) => part.trim() !== "");
+  const isEmpty = () => Object.values(parts).every((part) => part.trim() === "");
+
+  const fillSource = () => {
+    origin.hidden = isForeign || (source.value === "" && (!SOURCED.test(field.key) || isEmpty()));
+  };
+  source.addEventListener("input", () => isWhole() && commit());
 
   const listen = (input: HTMLInputElement, key: () => string) => {
     input.addEventListener("input", () => {
-      if (isForeign) {
-        if (readValue(input.value) !== undefined) write(input.value);
+      if (isForeign && readValue(input.value) !== undefined) {
+        shown = input.value;
+        write(shown);
         return;
       }
+      // What is no TOML is a quantity as one types it.
+      if (isForeign) become(central, input.value);
       parts[key()] = input.value;
       const typed = units.length > 0 ? splitUnit(input.value)?.unit : undefined;
       if (typed && units.includes(typed)) {
@@ -553,13 +626,20 @@ function quantity({ field, id, write }: Asked): Control {
       if (isWhole()) commit();
     });
     input.addEventListener("change", () => {
-      if (input.value.trim() === "" && (isForeign || Object.keys(parts).length <= 1)) write("");
-      if (!isForeign && typeof splitUnit(input.value)?.unit === "string" && key() !== "within") {
-        input.value = splitUnit(input.value)?.number ?? input.value;
-        parts[key()] = input.value;
+      if (isForeign ? input.value.trim() === "" : isEmpty()) clear();
+      const typed = isForeign || key() === "within" ? undefined : splitUnit(input.value);
+      if (typed && (typed.unit === "" || units.includes(typed.unit))) {
+        input.value = typed.number;
+        parts[key()] = typed.number;
       }
     });
   };
+  // A range of which a number is missing is not in the case, which is said once one turns to something else.
+  const whole = h("div", { class: "quantity" });
+  whole.addEventListener("focusout", (event) => {
+    if (!whole.contains(event.relatedTarget as Node | null) && !isForeign && !isWhole() && !isEmpty()) complain(words.incomplete);
+  });
+  whole.append(h("div", { class: "number-line" }, main, select, modes), range, origin);
   // The first of the range's numbers stands where a plain number would.
   const firstKey = () => Object.keys(parts)[0] ?? central;
   listen(main, firstKey);
@@ -599,6 +679,15 @@ function quantity({ field, id, write }: Asked): Control {
     modes.hidden = field.range !== true || isForeign;
   };
 
+  /** A plain number in place of what only the text can show. */
+  const become = (key: string, number: string) => {
+    isForeign = false;
+    parts = { [key]: number };
+    main.classList.remove("raw");
+    fillUnits();
+    fillModes();
+  };
+
   modes.addEventListener("change", () => {
     if (modes.value === "other") return;
     const before = parts[central] ?? parts.mode ?? main.value;
@@ -621,6 +710,7 @@ function quantity({ field, id, write }: Asked): Control {
     const next = select.value;
     const before = unit;
     unit = next;
+    isChosen = true;
     for (const [key, number] of Object.entries(parts)) {
       if (key === "within" || key === "confidence" || number.trim() === "") continue;
       // Each number of a list by itself.
@@ -669,10 +759,10 @@ function quantity({ field, id, write }: Asked): Control {
     };
     const isTable = typeof value === "object" && !Array.isArray(value);
     if (value === undefined || (isTable && field.range !== true)) return false;
-    const fits = isTable
-      ? Object.entries(value).every(([key, inner]) => one(key, inner))
-      : one(central, value);
-    if (!fits) return false;
+    const { source: named = "", ...numbers } = isTable ? value : { [central]: value };
+    const keys = Object.keys(numbers);
+    if (typeof named !== "string" || keys.length === 0 || !keys.every((key) => key in words.rangeKey)) return false;
+    if (!Object.entries(numbers).every(([key, inner]) => one(key, inner))) return false;
     if (unitsFound.size > 1) {
       // "1.9 m" with a deviation of "10 cm": all of them in the unit of the first.
       const [first = ""] = unitsFound;
@@ -684,23 +774,26 @@ function quantity({ field, id, write }: Asked): Control {
       }
     }
     parts = found;
+    source.value = named;
     [unit = unit] = [...unitsFound].filter(Boolean);
     return true;
   };
 
   return {
-    elements: [h("div", { class: "number-line" }, main, select, modes), range],
+    elements: [whole],
     show: (given) => {
-      if (isBusy(main, select, modes, ...inputs.values()) && given !== undefined && given === shown) return;
       if (given === shown && given !== undefined) return;
-      if (given === undefined && isBusy(main, ...inputs.values())) return;
+      if (given === undefined && isBusy(main, source, ...inputs.values())) return;
       shown = given;
       isForeign = false;
-      if (given === undefined) parts = {};
-      else if (!take(readValue(given), given)) {
+      source.value = "";
+      if (given === undefined) {
+        parts = {};
+        if (!isChosen) unit = usualUnit();
+      } else if (!take(readValue(given), given)) {
         isForeign = true;
         parts = { [central]: given.replaceAll(/\s*\n\s*/g, " ") };
-      }
+      } else isChosen = false;
       const now = parts[firstKey()] ?? "";
       if (main.value !== now) main.value = now;
       main.classList.toggle("raw", isForeign);
@@ -708,6 +801,8 @@ function quantity({ field, id, write }: Asked): Control {
       select.hidden ||= isForeign;
       fillRange();
       fillModes();
+      fillSource();
+      complain(null);
     },
   };
 }

@@ -67,10 +67,10 @@ export class Lens {
     return [this.corner[0] + x / this.factor, this.corner[1] + y / this.factor];
   }
 
-  /** What is seen of a drawing of this size; `factor` larger than all of it. */
-  box(width: number, height: number): { viewBox: string; factor: number } {
+  /** What is seen of a drawing; `factor` larger than all of it. */
+  box({ left, top, width, height }: { left: number; top: number; width: number; height: number }): { viewBox: string; factor: number } {
     const { factor, corner: [x, y] } = this;
-    return { viewBox: `${x * width} ${y * height} ${width / factor} ${height / factor}`, factor };
+    return { viewBox: `${left + x * width} ${top + y * height} ${width / factor} ${height / factor}`, factor };
   }
 
   /** Brings a place of the drawing to the middle, where it is not seen. */

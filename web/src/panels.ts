@@ -28,6 +28,9 @@ function savers(title: string, kinds: FileKind[], save: Save): HTMLElement {
 
 const note = (words: string): HTMLElement => h("p", { class: "note" }, said(words));
 
+/** That a view shows an exact solution which is not the answer. */
+const caveat = ({ caveat: words }: Solved): HTMLElement[] => (words === null ? [] : [h("p", { class: "note caveat" }, said(words))]);
+
 /** Why a command cannot be done, in the engine's words. */
 function cannot(element: HTMLElement, solved: Solved, command: Command): boolean {
   if (solved.check.problems.length > 0) {
@@ -102,7 +105,7 @@ export class Drawings implements Panel {
       return drawn.ok ? [{ name: what, title: drawn.title, svg: drawn.svg }] : [];
     });
     if (plain.length > 0) figures.push(h("h2", {}, texts.panels.plain), ...plain.map(({ name, title, svg }) => figure(name, title, svg)));
-    else if (solved.weighs && !solved.weighed) figures.push(note(texts.panels.plainLater));
+    else if (solved.weighs && !solved.weighed?.plain) figures.push(note(solved.weighed ? texts.panels.plainOld : texts.panels.plainLater));
     this.element.replaceChildren(...(figures.length > 0 ? figures : [note(texts.panels.noDrawings)]));
   }
 }
@@ -126,6 +129,7 @@ export class Sensitivity implements Panel {
     const { derivatives } = JSON.parse(answer.json) as {
       derivatives: { output: string; input: string; name?: string; influence: number }[];
     };
+    const document = document_(answer.html);
     const first = derivatives[0]?.output;
     const rows = derivatives.filter((row) => row.output === first).slice(0, 16);
     const greatest = Math.max(...rows.map((row) => Math.abs(row.influence)), Number.MIN_VALUE);
@@ -137,12 +141,15 @@ export class Sensitivity implements Panel {
         h("td", { class: "bars", "aria-hidden": "true" }, h("span", { class: "track" }, bar)),
         h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${(100 * Math.abs(row.influence)).toFixed(2)} %`));
     });
+    // The engine names the first output, with its vehicle and its value, above its first table.
+    const output = document.querySelector("caption")?.textContent ?? "";
     this.element.replaceChildren(
       savers(texts.viewTabs.sensitivity ?? "", ["html", "json", "txt"], this.save),
-      h("table", { class: "influence" }, h("caption", {}, texts.sensitivity.caption),
+      ...caveat(solved),
+      h("table", { class: "influence" }, h("caption", {}, texts.sensitivity.caption(output)),
         h("thead", {}, h("tr", {}, h("th", { scope: "col" }, texts.sensitivity.input), h("td"), h("th", { scope: "col", class: "right" }, texts.sensitivity.influence))),
         h("tbody", {}, ...bars)),
-      h("details", { class: "more" }, h("summary", {}, texts.sensitivity.tables), document_(answer.html)),
+      h("details", { class: "more" }, h("summary", {}, texts.sensitivity.tables), document),
     );
   }
 }
@@ -358,6 +365,8 @@ export class Avoid implements Panel {
   private readonly end = h("button", { type: "button", hidden: true, onclick: () => this.stop() }, texts.run.end);
   private readonly bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": texts.run.progress });
   private readonly status = h("p", { class: "hint", role: "status" });
+  /** What is found before there is an answer. */
+  private readonly finding = h("span", { class: "hint", hidden: true });
   private readonly what: HTMLElement;
   private readonly saving: HTMLElement;
   private readonly body = h("div");
@@ -377,7 +386,7 @@ export class Avoid implements Panel {
     this.saving = savers(texts.viewTabs.avoid ?? "", ["html", "json", "txt"], save);
     this.what = h("div", { class: "sliders", role: "group", "aria-label": texts.avoid.what },
       ...this.sliders.map(({ element }) => element), h("div", { class: "slider-buttons" }, this.use, this.back, this.status));
-    this.element.append(this.why, h("div", { class: "run-controls" }, this.bar, this.end), this.saving, this.what, this.body);
+    this.element.append(this.why, h("div", { class: "run-controls" }, this.finding, this.bar, this.end), this.saving, this.what, this.body);
     this.show(null);
   }
 
@@ -404,10 +413,10 @@ export class Avoid implements Panel {
     this.end.hidden = false;
     this.runner.start(job, {
       progress: (counted, done, total) => {
-        this.bar.hidden = false;
+        for (const part of [this.bar, this.finding]) part.hidden = false;
         this.bar.max = Math.max(total, 1);
         this.bar.value = done;
-        this.status.textContent = texts.run.done(counted, done, total);
+        this.finding.textContent = texts.avoid.finding(texts.run.done(counted, done, total));
       },
       answer: (answer) => {
         if (answer.ok) this.show(answer);
@@ -432,8 +441,7 @@ export class Avoid implements Panel {
   private show(answer: Finished | null): void {
     this.answer = answer;
     this.moved = null;
-    this.bar.hidden = true;
-    this.end.hidden = true;
+    for (const part of [this.bar, this.finding, this.end]) part.hidden = true;
     this.what.hidden = !answer;
     this.saving.hidden = !answer;
     for (const slider of this.sliders) slider.set(answer?.sliders?.find(({ key }) => key === slider.key));
@@ -578,6 +586,7 @@ export class Motion implements Panel {
     this.draw(film);
     this.showTime();
     this.element.replaceChildren(
+      ...caveat(solved),
       h("div", { class: "paper" }, this.drawing),
       h("div", { class: "player" }, this.play, this.slider, this.clock, h("label", {}, texts.motion.pace, " ", this.speed)),
     );

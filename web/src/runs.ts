@@ -68,6 +68,8 @@ export interface Listener {
   pictures?(pictures: Picture[]): void;
   /** The engine took these milliseconds. */
   moved?(answer: Moved, to: Move["moved"], milliseconds: number): void;
+  /** Somebody has ended the run before it was done. */
+  ended?(): void;
 }
 
 export class Runner {
@@ -76,6 +78,7 @@ export class Runner {
   /** A move is being answered; the newest that came since. */
   private moving = false;
   private next: Move | null = null;
+  private ended: (() => void) | null = null;
   private waiting: { done: (content: string) => void; failed: (error: Error) => void } | null = null;
 
   get busy(): boolean {
@@ -91,6 +94,8 @@ export class Runner {
     this.next = null;
     this.waiting?.failed(new Error(texts.save.ended));
     this.waiting = null;
+    this.ended?.();
+    this.ended = null;
   }
 
   /** A file of what has run; nothing where that was ended. It fails with why there is none. */
@@ -118,7 +123,9 @@ export class Runner {
     const worker = new Work();
     this.worker = worker;
     this.works = true;
+    this.ended = () => listener.ended?.();
     const failed = (message: string) => {
+      this.ended = null;
       this.end();
       listener.answer({ ok: false, message }, 0, true);
     };

@@ -28,7 +28,22 @@ export function inForm({ title, help }: Problem, raw = ""): string[] {
   const plainNumber = /^write \S+ = (\S+) without quotes$/.exec(help ?? "")?.[1];
   const typed = readValue(raw);
   if (plainNumber !== undefined && typeof typed === "string") return texts.form.notPlain(typed, plainNumber);
-  return [title, help].filter((words) => words !== null).map(sentence);
+  return [title, help && toFill(help)].filter((words) => words !== null).map(sentence);
+}
+
+/** What is to be given, as fields to fill in: the engine's numbers are examples. */
+function toFill(help: string): string {
+  const example = (key: string, value: string) => {
+    const read = readValue(value);
+    return texts.form.forExample(`\`${key}\``, typeof read === "string" ? read : typeof read === "object" ? `\`${value}\`` : value);
+  };
+  const [line, key, value] = /^add a line such as (\w+) = ("[^"]*"|[^\s;"]+)/.exec(help) ?? [];
+  if (line !== undefined && key !== undefined && value !== undefined) return `${texts.form.fillIn} ${example(key, value)}${help.slice(line.length)}`;
+  if (!help.startsWith("give `")) return help;
+  return help
+    .replaceAll(/`(\w+) = ([^`]+)`(?= or\b)/g, (_, key: string, value: string) => `${example(key, value)},`)
+    .replaceAll(/`(\w+) = ([^`]+)`/g, (_, key: string, value: string) => example(key, value))
+    .replace(/^give /, `${texts.form.fillIn} `);
 }
 
 /** Markup of the engine in words of the page. */
@@ -141,6 +156,9 @@ function valued(text: string): string {
   const read = readValue(text);
   return read === undefined ? text.replaceAll(/[{}[\]"]|(?= =) =/g, "").replaceAll(/ {2,}/g, " ").trim() : shown(read);
 }
+
+/** The value of a key in words; empty where it has none. */
+export const valueInWords = (raw: string | undefined): string => (raw === undefined ? "" : valued(raw));
 
 /** A value as a form shows it. */
 function shown(value: Value): string {

@@ -40,6 +40,8 @@ export interface SceneHost {
   write(text: string): void;
   settle(keep: boolean): void;
   refused(message: string): void;
+  /** What the case has for a key, in words. */
+  value(key: string): string;
   unit(): Unit;
   /** A length and a direction in words: in the units of the answer, and as the case counts angles. */
   measured(metres: number, radians: number): string;
@@ -63,7 +65,9 @@ export class SceneView {
   private readonly sheet = h("div", { class: "sheet" });
   private readonly overlay = s("svg", { class: "overlay", "aria-hidden": "true" });
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
-  private readonly none = h("p", { class: "note", hidden: true }, words.none);
+  private readonly none = h("p", { class: "note", hidden: true });
+  /** Where a handle stands that an arrow key has moved, for who does not see it. */
+  private readonly told = h("div", { class: "unseen", role: "status" });
   private readonly hint = h("p", { class: "hint" }, words.hint);
   private readonly stage = h("div", { class: "stage", tabindex: 0, role: "group", "aria-label": words.stage });
   /** The scale of a part that is seen larger: that of the drawing may lie beside it. */
@@ -74,7 +78,8 @@ export class SceneView {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly bodies = new Map<number, SVGPolygonElement>();
   private now: Scene | null = null;
-  private box = { width: 1, height: 1 };
+  /** Of the drawing: a third line of its heading stands above 0. */
+  private box = { left: 0, top: 0, width: 1, height: 1 };
   private what: View = "scene";
   private readonly which = h("select", { "aria-label": words.which, onchange: () => this.choose(this.which.value as View) },
     h("option", { value: "scene" }, words.impact), h("option", { value: "motion" }, words.rest));
@@ -103,9 +108,9 @@ export class SceneView {
   constructor(private readonly host: SceneHost) {
     this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.bar, this.knobs, this.tape.element);
     this.lens.tools.append(this.tape.button);
-    this.board.append(this.lens.tools);
+    this.board.prepend(this.lens.tools);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
-    this.element.append(this.none, this.board, tools, this.hint);
+    this.element.append(this.none, this.board, tools, this.hint, this.told);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
@@ -152,9 +157,10 @@ export class SceneView {
   }
 
   /** Shows the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
-  update(scene: Scene | null): void {
+  update(scene: Scene | null, hasError: boolean): void {
     this.stage.classList.toggle("stale", scene === null);
     this.none.hidden = scene !== null || this.now !== null;
+    this.none.textContent = hasError ? words.error : words.none;
     this.board.hidden = !this.none.hidden;
     this.hint.hidden = this.board.hidden;
     if (!scene) return;
@@ -169,8 +175,8 @@ export class SceneView {
     this.which.value = scene.what;
     markup(this.sheet, scene.svg);
     const drawing = this.sheet.querySelector("svg");
-    const [, , width = 1, height = 1] = (drawing?.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
-    this.box = { width, height };
+    const [left = 0, top = 0, width = 1, height = 1] = (drawing?.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
+    this.box = { left, top, width, height };
     this.stage.style.aspectRatio = `${width} / ${height}`;
     this.board.style.setProperty("--aspect", String(width / height));
     this.place(scene);
@@ -187,8 +193,8 @@ export class SceneView {
 
   /** Puts the drawing, and all that lies over it, where it is seen. */
   private place(scene: Scene): void {
-    const { width, height } = this.box;
-    const { viewBox, factor } = this.lens.box(width, height);
+    const { width } = this.box;
+    const { viewBox, factor } = this.lens.box(this.box);
     for (const drawing of [this.sheet.querySelector("svg"), this.overlay]) drawing?.setAttribute("viewBox", viewBox);
     const grown = (DRAWN_LETTERS * this.stage.clientWidth * factor) / width;
     this.stage.style.setProperty("--letters", String(Math.min(1, Math.max(LETTERS / grown, 1 / factor))));
@@ -240,7 +246,8 @@ export class SceneView {
   /** Scene metres to the share of the drawing's width and height. */
   private inDrawing([x, y]: Point): Point {
     const { origin, scale } = this.now as Scene;
-    return [(origin[0] + scale * x) / this.box.width, (origin[1] - scale * y) / this.box.height];
+    const { left, top, width, height } = this.box;
+    return [(origin[0] + scale * x - left) / width, (origin[1] - scale * y - top) / height];
   }
 
   /** What is seen, in places of the survey: the impact is drawn in places of its own. */
@@ -261,7 +268,8 @@ export class SceneView {
     const { origin, scale } = this.now as Scene;
     const place = this.stage.getBoundingClientRect();
     const [x, y] = this.lens.toDrawing([(event.clientX - place.left) / place.width, (event.clientY - place.top) / place.height]);
-    return [(x * this.box.width - origin[0]) / scale, (origin[1] - y * this.box.height) / scale];
+    const { left, top, width, height } = this.box;
+    return [(left + x * width - origin[0]) / scale, (origin[1] - top - y * height) / scale];
   }
 
   private placeBodies(scene: Scene): void {
@@ -280,7 +288,8 @@ export class SceneView {
       }
       const corners = body.outline.map((at) => {
         const [x, y] = this.inDrawing(at);
-        return `${x * this.box.width},${y * this.box.height}`;
+        const { left, top, width, height } = this.box;
+        return `${left + x * width},${top + y * height}`;
       });
       polygon.setAttribute("points", corners.join(" "));
     }
@@ -379,6 +388,7 @@ export class SceneView {
     this.host.write(dragged.text);
     this.held = null;
     this.showHandle(id);
+    this.told.textContent = words.moved(handle, handle.keys.map((key) => this.host.value(key)));
   }
 
   private stepped(handle: Handle, arrow: Point, steps: number): Point {

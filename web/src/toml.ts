@@ -105,9 +105,9 @@ class Reader {
   }
 }
 
-/** A text such as `21.3 20.3 in`: the numbers, as they are written, and the unit behind them. */
+/** A text such as `21.3 20.3 in`: the numbers, as they are written, and the unit behind them. The `e3` of `3.7e3 lb` is part of its number. */
 export function splitUnit(text: string): { number: string; unit: string } | undefined {
-  const found = /^\s*([-+−]?[\d.][\d.eE+\-−,; \t]*?)\s*([^\d\s.,;+\-−].*?)?\s*$/u.exec(text);
+  const found = /^\s*([-+−]?[\d.][\d.eE+\-−,; \t]*?)\s*((?![eE][-+−]?\d)[^\d\s.,;+\-−].*?)?\s*$/u.exec(text);
   if (!found) return undefined;
   return { number: found[1] ?? "", unit: found[2] ?? "" };
 }

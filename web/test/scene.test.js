@@ -317,3 +317,20 @@ for (const [size, options] of SIZES) {
     assert.equal(wide, 0);
   }, options);
 }
+
+onPage("the buttons of the scene lie over no part of it, and a handle says where an arrow key has moved it", async (page) => {
+  for (const name of ["sae-980025.toml", "rear-end-rest.toml"]) {
+    await openCase(page, name, fixture(name));
+    const stage = await page.locator(".stage").boundingBox();
+    const tools = await page.locator(".lens-tools").boundingBox();
+    assert.ok(tools.y + tools.height <= stage.y, name);
+    // The heading is seen whole, of three lines, too, and handles lie where they are drawn.
+    assert.ok((await page.locator(".stage .sheet text").first().boundingBox()).y >= stage.y, name);
+    const grip = await page.locator('[data-handle="contact-1-0"]').boundingBox();
+    const contact = await middle(page, "#scene-contact");
+    assert.ok(Math.abs(grip.y + grip.height / 2 - contact[1]) < 1, name);
+  }
+  await openCase(page, "sae-980025.toml", fixture("sae-980025.toml"));
+  await page.locator('[data-handle="heading-2-0"]').press("ArrowLeft");
+  assert.equal(await page.locator('.scene [role="status"].unseen').textContent(), "Heading of vehicle 2: 68.0 deg");
+});

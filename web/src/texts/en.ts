@@ -28,6 +28,8 @@ export const texts = {
     ["dark", "dark"],
   ],
 
+  pageTitle: (name: string, isSaved: boolean) => `${isSaved ? "" : "• "}${name} – deltav`,
+
   printHead: (name: string, version: string, date: string, since: string) =>
     [name, `deltav ${version}`, `printed ${date}`, since].filter((part) => part !== "").join(" · "),
 
@@ -155,7 +157,7 @@ export const texts = {
   },
 
   questions: {
-    reconstruct: "Which speed does the damage show?",
+    reconstruct: "How fast were they?",
     impact: "What follows from these speeds?",
     motion: "Where do the vehicles come to rest?",
     crush: "What does the damage alone show?",
@@ -168,7 +170,22 @@ export const texts = {
     label: "Answer",
     question: "Question",
     noWarnings: "No warnings",
-    warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
+    warnings: (own: number, aside: number) => {
+      const warnings = (count: number) => (count === 1 ? "1 warning" : `${count} warnings`);
+      if (aside === 0) return warnings(own);
+      return own === 0 ? `${warnings(aside)} on the exact solution` : `${warnings(own)}, and ${aside} on the exact solution`;
+    },
+    against: "What speaks against the exact solution",
+    byRangesAlone: {
+      roomy: "These intervals do not contain the errors of the method. Those of the report do.",
+      brief: "Without the errors of the method.",
+    },
+    takenAsExact: {
+      roomy: "The inputs and the method are taken as exact, so these figures have no interval. The view Estimate gives intervals that include the errors of both.",
+      brief: "Taken as exact, these figures have no interval.",
+    },
+    exact: (by: string) => `Exact solution${by === "" ? "" : ` by ${by}`}, not the answer:`,
+    columns: { "speed 1": "speed of vehicle 1", "speed 2": "speed of vehicle 2", "ΔV 1": "ΔV of vehicle 1", "ΔV 2": "ΔV of vehicle 2" } as Record<string, string>,
     inResults: "This question is answered by tables.",
     inAvoid: "The speed at the impact is found first.",
     none: "No answer yet.",
@@ -303,6 +320,10 @@ export const texts = {
       within: "greatest deviation in per cent",
       confidence: "probability that it lies within",
     } as Record<string, string>,
+    source: "source",
+    fillIn: "fill in",
+    forExample: (field: string, value: string) => `${field}, for example ${value}`,
+    incomplete: "This range is not in the case yet: fill in all of its numbers.",
     rangeSign: { sd: "±", low: "from", mode: "likely", high: "to", within: "±", confidence: "probability" } as Record<string, string>,
   },
 
@@ -310,6 +331,8 @@ export const texts = {
     title: "scene",
     which: "What is drawn",
     none: "There is no plan view of this case. What can be drawn of it is under Drawings.",
+    error: "The case file has an error. Correct it, and the scene appears.",
+    moved: (handle: Handle, values: string[]): string => `${texts.scene.handle(handle)}: ${values.join("; ")}`,
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
@@ -378,6 +401,7 @@ export const texts = {
     cannot: "The case does not have what this needs.",
     plain: "For readers who are not engineers",
     plainLater: "All evidence is being weighed: these drawings follow, with its speeds.",
+    plainOld: "The title or the source of the case has changed: these drawings, which show it, are made again with the next report.",
     noDrawings: "There is nothing to draw for this case.",
     table: "Table",
   },
@@ -391,7 +415,7 @@ export const texts = {
   pictures: { svg: "Save SVG", png: "Save PNG" },
 
   sensitivity: {
-    caption: "Change of the speed in per cent, for 1 % more of the input, or for 1° more of an angle",
+    caption: (output: string) => `${output}: change in per cent, for 1 % more of the input, or for 1° more of an angle`,
     input: "input",
     influence: "influence",
     tables: "All derivatives",
@@ -445,6 +469,7 @@ export const texts = {
   },
 
   avoid: {
+    finding: (done: string) => `The speed at the impact is being found: ${done}`,
     elsewhere: "The view Avoidability shows whether the collision was avoidable.",
     what: "Try other numbers",
     sliders: { "avoid.limit": "At a speed of", "avoid.reaction_time": "With a reaction time of" },
