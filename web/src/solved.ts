@@ -71,7 +71,7 @@ export class Solved {
     const table = [...page.querySelectorAll("table")].find((one) => one.caption?.textContent === "Exact solution");
     const columns = [...(table?.tHead?.rows[0]?.cells ?? [])].map((cell) => cell.textContent);
     const cells = [...(table?.tBodies[0]?.rows[0]?.cells ?? [])].map((cell) => cell.textContent);
-    const heading = [...page.querySelectorAll("h2")].find((one) => one.textContent === "What speaks against the exact solution");
+    const heading = [...page.querySelectorAll("h2")].find((one) => one.textContent === "Objections to the exact solution");
     const figures = columns.map((column, place): [string, string] => [column, cells[place] ?? ""]).slice(1);
     this.solution = {
       by: cells[0] ?? "",

@@ -46,7 +46,7 @@ onPage("warnings of an exact solution that is not the answer stand under what sp
   assert.equal(await summary.innerText(), "3 warnings, and 1 on the exact solution");
   await summary.click();
   const list = await page.locator(".warned-list").innerText();
-  const [own, aside] = list.split("What speaks against the exact solution");
+  const [own, aside] = list.split("Objections to the exact solution");
   assert.match(own, /contact-apart.*contact-placed.*contact-placed/s);
   assert.match(aside, /momentum-differs/);
   assert.doesNotMatch(own, /momentum-differs/);

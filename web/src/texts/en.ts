@@ -175,7 +175,7 @@ export const texts = {
       if (aside === 0) return warnings(own);
       return own === 0 ? `${warnings(aside)} on the exact solution` : `${warnings(own)}, and ${aside} on the exact solution`;
     },
-    against: "What speaks against the exact solution",
+    against: "Objections to the exact solution",
     byRangesAlone: {
       roomy: "These intervals do not contain the errors of the method. Those of the report do.",
       brief: "Without the errors of the method.",
