@@ -469,7 +469,8 @@ fn paths_may_turn() {
     }
 }
 
-/// Steady at 30 km/h: v = 30 + U(±step/2) + 30 (1.4 % ± 0.43 % ± 0.7 %) is above 30 with (½ step + 0.42)/step.
+/// Steady at 30 km/h: v = 30 + U(±step/2) + 30 (1.4 % ± 0.43 % ± 0.7 %) is above 30 with
+/// (½ step + 0.42)/step.
 #[test]
 fn the_probability_has_the_rounding_of_recorded_speeds() {
     for (step, above) in [("1 km/h", 0.857), ("5 km/h", 0.584)] {

@@ -185,7 +185,8 @@ fn other_separators_are_found() {
     }
 }
 
-/// What a spreadsheet saves where the comma is the decimal mark, and what `--csv-style european` writes, is read.
+/// What a spreadsheet saves where the comma is the decimal mark is read, as is what `--csv-style european`
+/// writes.
 #[test]
 fn decimal_commas_are_read_between_semicolons() {
     let points = of_csv(

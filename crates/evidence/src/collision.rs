@@ -406,8 +406,8 @@ pub struct Severity {
     pub speed: f64,
     /// The risk of an injury, if the collision belongs to those in which somebody suffered it.
     pub injury: Option<InjuryRisk>,
-    /// Number of speeds that are uniform before it. Each would make the median exp(σ²) times as high, which is
-    /// divided out.
+    /// Number of speeds that are uniform before it. Each would make the median exp(σ²) times as high, which
+    /// is divided out.
     pub uniform_speeds: u32,
 }
 

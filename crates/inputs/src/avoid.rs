@@ -414,7 +414,8 @@ pub enum BrakingForm<T = f64> {
 /// The error of recorded speeds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RecordedError {
-    /// (–) the error that all speeds share, in standard deviations of what the speed at the impact leaves open.
+    /// (–) the error that all speeds share, in standard deviations of what the speed at the impact leaves
+    /// open.
     pub shared: f64,
     /// The random key of the rounding of each stored speed; `None` for speeds that are not rounded.
     pub rounding: Option<u64>,

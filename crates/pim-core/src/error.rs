@@ -188,5 +188,5 @@ pub enum ImpactError {
 
 /// The share of a moment impulse, if there is one.
 fn of_moment(work: f64) -> String {
-    if work == 0.0 { String::new() } else { format!(" and {work:.6e} J that of the moment impulse") }
+    if work == 0.0 { String::new() } else { format!(", and {work:.6e} J that of the moment impulse") }
 }

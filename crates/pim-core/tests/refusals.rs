@@ -319,8 +319,8 @@ fn created_energy_is_told_by_its_works() {
         let (loss, normal_work, tangential_work) = (-3.0, 1.0, -2.0);
         ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work }.to_string()
     };
-    assert!(text(-4.0).contains("tangential impulse and -4.000000e0 J that of the moment impulse; check"));
-    assert!(text(0.0).contains("tangential impulse; check"));
+    assert!(text(-4.0).contains("tangential impulse, and -4.000000e0 J that of the moment impulse); check"));
+    assert!(text(0.0).contains("tangential impulse); check"));
 }
 
 #[test]

@@ -395,8 +395,8 @@ impl Leg {
     }
 }
 
-/// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of a sample
-/// and from how fast the stored speed fell (m/s²) since the sample before, `before`, if that is known.
+/// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of a
+/// sample and from how fast the stored speed fell (m/s²) since the sample before, if that is known.
 fn slips(
     sample: &PreCrashSample,
     before: Option<&PreCrashSample>,

@@ -46,19 +46,19 @@ fn the_headline_says_where_delta_v_holds() {
         (
             cut,
             yaw_rate,
-            "at least 17.9 km/h (longitudinal only) at its centre of gravity, as",
+            "at least 17.9 km/h (longitudinal only) at its centre of gravity, because",
             "where ΔV is at least 17.9 km/h backward",
         ),
         (
             small,
             yaw_rate,
-            "at least 4.0 km/h (longitudinal only) at the place of its recorder, as",
+            "at least 4.0 km/h (longitudinal only) at the place of its recorder, because",
             "gives no lower bound of ΔV",
         ),
         (
             cut,
             "",
-            "at least 23.0 km/h (longitudinal only) at the place of its recorder, as",
+            "at least 23.0 km/h (longitudinal only) at the place of its recorder, because",
             "ΔV applies at the place of the recorder",
         ),
     ];
