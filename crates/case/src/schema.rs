@@ -781,7 +781,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
         r#"crush_bias = "59 %""#: Form::Percent(POSITIVE),
             r#"Average share of the impact's energy that crush shows. `"100 %"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted to real crashes, and 100 % for everything else."#;
         r#"rest_error = "10 %""#: Form::Percent(POSITIVE),
-            "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.";
+            "Error of a computed rest or point, as a standard deviation. In per cent of its measured distance from the impact: 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.";
         r#"rest_least_error = "0.5 m""#: Form::Exact(Dimension::Length, POSITIVE),
             "Error of a computed rest or point that does not grow with the path. 0.5 m if left out.";
         r#"rest_heading_error = "15 deg""#: Form::Exact(Dimension::Angle, POSITIVE),
