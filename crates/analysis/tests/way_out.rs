@@ -186,3 +186,75 @@ fn what_does_not_tell_the_way_is_refused() {
         assert!(found.contains(words), "{found}");
     }
 }
+
+/// The speed by crush and the recorders' ΔV leaves open whether the other car stood: more probably it did.
+const STOOD: &str = r#"
+[vehicle1]
+name = "Car 1"
+mass = { value = "1722 kg", sd = "30 kg" }
+yaw_radius = { value = "1.415 m", sd = "0.04 m" }
+heading = { value = "-2.44 deg", sd = "3 deg" }
+contact = { x = { value = "1.94 m", sd = "0.1 m" }, y = { value = "-0.23 m", sd = "0.15 m" } }
+length = "4.77 m"
+width = "1.81 m"
+cg_to_front = "2.24 m"
+wheelbase = "2.813 m"
+track = "1.52 m"
+cg_to_front_axle = "1.246 m"
+[vehicle1.crush]
+side = "front"
+width = "76.0 cm"
+depths = { values = "24.5 40.3 43.5 13.3 26.7 54.4 cm", sd = "2 cm" }
+stiffness = { category = 1 }
+[vehicle1.recorder]
+delta_v_longitudinal = "-23.08 km/h"
+delta_v_lateral = "-14.26 km/h"
+[vehicle2]
+name = "Car 2"
+mass = { value = "1659 kg", sd = "30 kg" }
+yaw_radius = { value = "1.360 m", sd = "0.04 m" }
+heading = { value = "91.48 deg", sd = "3 deg" }
+contact = { x = { value = "-0.46 m", sd = "0.1 m" }, y = { value = "0.75 m", sd = "0.15 m" } }
+length = "4.71 m"
+width = "1.80 m"
+cg_to_front = "2.21 m"
+wheelbase = "2.778 m"
+track = "1.51 m"
+cg_to_front_axle = "1.217 m"
+[vehicle2.crush]
+side = "left"
+width = "182.5 cm"
+depths = { values = "5.8 8.4 15.0 18.1 16.5 14.6 cm", sd = "2 cm" }
+stiffness = { category = 1 }
+[vehicle2.recorder]
+delta_v_longitudinal = "12.91 km/h"
+delta_v_lateral = "-24.14 km/h"
+[impact]
+crush_plane = { value = "-2.82 deg", sd = "6 deg" }
+restitution = 0.1
+tangential = "critical"
+[avoid]
+vehicle = "vehicle1"
+other_party = "vehicle"
+limit = { value = "40 km/h", source = "assumed" }
+reaction_time = { low = "0.824 s", high = "1.490 s", source = "assumed" }
+swell = "0.2 s"
+deceleration = { low = "5.5 m/s^2", high = "7.5 m/s^2", source = "assumed" }
+demand = { time = { value = "1.535 s", sd = "0.15 s" } }
+clear = { distance = "5.9 m" }
+"#;
+
+/// The central values are those of a car that moved, which clears the danger zone; the probability has both.
+#[test]
+fn a_vehicle_that_probably_stood_leaves_a_probability() {
+    let found = asked_with(STOOD, AvoidPlan::default()).unwrap();
+    assert!(
+        found.other_may_have_stood().is_some_and(|stood| stood > 0.5),
+        "{:?}",
+        found.other_may_have_stood()
+    );
+    let clears = found.scene.clears.unwrap();
+    assert!((0.0..100.0).contains(&clears.after), "{clears:?}");
+    let chance = found.chance.unwrap();
+    assert!((0.05..0.95).contains(&chance.avoided_at_limit), "{}", chance.avoided_at_limit);
+}
