@@ -14,7 +14,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::Arc;
 
 use ::uncertainty::normal::quantiles;
-use ::uncertainty::{SamplingMethod, Settings, order_statistic, random};
+use ::uncertainty::{SamplingMethod, Settings, random};
 use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, Faults, Find,
@@ -813,9 +813,8 @@ const CONTRADICTS: f64 = 0.25;
 fn median_if_it_moved(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> {
     let stood = estimated.stood[vehicle.index()]?.after.value;
     let draws = estimated.draws(SPEED.of_vehicle(vehicle)).filter(|_| OPEN.contains(&stood))?;
-    let mut moving: Vec<f64> = draws.iter().copied().filter(|speed| *speed > 0.0).collect();
-    moving.sort_by(f64::total_cmp);
-    (!moving.is_empty()).then(|| order_statistic(&moving, 0.5 * moving.len() as f64))
+    let moving: Vec<f64> = draws.iter().copied().filter(|speed| *speed > 0.0).collect();
+    (!moving.is_empty()).then(|| AvoidInterval::of(moving).median)
 }
 
 /// (–) probabilities that leave open whether a vehicle was stationary.

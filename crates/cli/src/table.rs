@@ -21,8 +21,8 @@ use parquet::errors::ParquetError;
 use parquet::file::metadata::ParquetMetaData;
 use parquet::file::properties::WriterProperties;
 use tables::{
-    Carried, Job, RowOptions, RowTemplate, TableError, assumed_units, columns_kept, result_schema,
-    run_with_faults,
+    Carried, Job, RowOptions, RowTemplate, TableError, assumed_units, columns_kept, read_number,
+    result_schema, run_with_faults,
 };
 
 use crate::arguments::TableArguments;
@@ -356,8 +356,8 @@ fn separator(header: &[u8]) -> Result<u8> {
 /// A cell with points in place of decimal commas, if it holds numbers alone.
 fn with_points(cell: &str) -> String {
     let pointed = cell.replace(',', ".");
-    let is_number = |word: &str| word.replace('\u{2212}', "-").parse::<f64>().is_ok();
-    if pointed.split_whitespace().all(is_number) { pointed } else { cell.to_owned() }
+    let is_numbers = pointed.split_whitespace().all(|word| read_number(word).is_some());
+    if is_numbers { pointed } else { cell.to_owned() }
 }
 
 /// The fault of a row, with its place.

@@ -435,7 +435,7 @@ pub struct SampleSpeed {
     pub time: f64,
     /// (m/s) the stored speed, corrected for the average slip of the wheels.
     pub speed: f64,
-    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is ignored.
+    /// (m/s) standard deviation of the error that the samples share: slip and tyres, without rounding.
     pub sd: f64,
 }
 
@@ -480,7 +480,7 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
         // The first is judged by the one after it.
         let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
-        let before = if k > 0 { Some(points[k - 1].0) } else { None };
+        let before = k.checked_sub(1).map(|before| points[before].0);
         let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
         let [slip, slip_sd] = slip(*stored, slips(sample, before, slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;

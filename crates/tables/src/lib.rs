@@ -100,6 +100,7 @@ pub use carried::Carried;
 pub use error::TableError;
 pub use job::{Job, RowOptions};
 pub use layout::{Numbers, case_schema};
+pub use plan::read_number;
 pub use solve::{
     RowFaults, RowProgress, RowTemplate, assumed_units, check_columns, columns_kept, reconstruct,
     result_schema, run, run_with_faults,

@@ -535,6 +535,12 @@ impl<'a> Whole<'a> {
     }
 }
 
+/// The number that a word of a cell is, with the minus sign of print (U+2212), too.
+#[must_use]
+pub fn read_number(word: &str) -> Option<f64> {
+    word.replace('\u{2212}', "-").parse().ok()
+}
+
 impl Kind {
     fn value(self, cell: Cell<'_>) -> Value<'_> {
         let text = match cell {
@@ -548,11 +554,9 @@ impl Kind {
             Cell::Flag(flag) => return Value::Flag(flag),
             Cell::Text(text) => text,
         };
-        // With the minus sign of print (U+2212), too.
-        let read = |word: &str| word.replace('\u{2212}', "-").parse::<f64>().ok();
-        let number = || read(text.trim());
+        let number = || read_number(text.trim());
         let numbers = |of: &dyn Fn(f64) -> Value<'static>| {
-            let list = text.split_whitespace().map(|word| read(word).map(of));
+            let list = text.split_whitespace().map(|word| read_number(word).map(of));
             list.collect::<Option<Vec<Value<'static>>>>().map(Value::List)
         };
         let read = match self {

@@ -137,11 +137,6 @@ pub(super) fn chance(
             kept.extend_from_slice(&column[..lanes]);
         }
         let errors = is_recorded.then(|| keys.map(|key| errors(key, first)));
-        let error = |lane: usize| {
-            let shared = errors.as_ref()?.each_ref().map(|errors| errors[lane]);
-            let rounding = |key| Some(random::key(key, &[(first + lane) as u64]));
-            Some([0, 1].map(|of: usize| RecordedError { shared: shared[of], rounding: rounding(keys[of]) }))
-        };
         scenes.extend((0..lanes).map(|lane| {
             let of = |speeds: &[f64]| speeds.get(first + lane).copied();
             let sought = SoughtSpeeds {
@@ -149,8 +144,8 @@ pub(super) fn chance(
                 other: speeds.and_then(|told| of(told.other)).or_else(|| other(first + lane)),
             };
             let form = form.map(|number| number.at(&columns, lane));
-            let form = match error(lane) {
-                Some(errors) => form.with_errors(errors),
+            let form = match &errors {
+                Some(errors) => form.with_errors(errors.each_ref().map(|errors| errors[lane])),
                 None => form,
             };
             let posed = pose(&form, sought, obstacles);
@@ -161,19 +156,23 @@ pub(super) fn chance(
     let told = speeds.map(|speeds| speeds.speeds);
     let varying = inputs.iter().map(|input| Some(&input.input)).zip(drawn.iter().map(Vec::as_slice));
     let varying: Vec<_> = varying.chain(told.map(|speeds| (None, speeds))).collect();
-    let chance = of_scenes(&scenes, &varying, speeds.and_then(|speeds| speeds.estimated));
-    Ok(chance.map(|chance| AvoidChance { stationary, ..chance }))
+    Ok(of_scenes(&scenes, stationary, &varying, speeds.and_then(|speeds| speeds.estimated)))
 }
 
-/// By how many standard deviations the speeds of a recorder err in the samples from `first` on.
-fn errors(key: u64, first: usize) -> [f64; LANES] {
-    let mut errors = std::array::from_fn(|lane| random::unit(random::bits(key, (first + lane) as u64)));
-    quantiles(&mut errors);
-    errors
+/// The errors of a recorder's speeds in the samples from `first` on.
+fn errors(key: u64, first: usize) -> [RecordedError; LANES] {
+    let sample = |lane: usize| (first + lane) as u64;
+    let mut shared: [f64; LANES] = std::array::from_fn(|lane| random::unit(random::bits(key, sample(lane))));
+    quantiles(&mut shared);
+    std::array::from_fn(|lane| RecordedError {
+        shared: shared[lane],
+        rounding: Some(random::key(key, &[sample(lane)])),
+    })
 }
 
 fn of_scenes(
     scenes: &[Option<AvoidScene>],
+    stationary: usize,
     varying: &[(Option<&Input>, &[f64])],
     estimated: Option<&Estimated>,
 ) -> Option<AvoidChance> {
@@ -217,7 +216,7 @@ fn of_scenes(
     Some(AvoidChance {
         samples: scenes.len(),
         possible: posed.len(),
-        stationary: 0,
+        stationary,
         effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
         avoided_at_limit,
         avoided_else_as_it_was: share(posed.iter().filter(|scene| scene.is_avoided_else_as_it_was()).count()),
@@ -272,7 +271,7 @@ impl AvoidChance {
 }
 
 impl AvoidInterval {
-    fn of(mut values: Vec<f64>) -> Self {
+    pub(super) fn of(mut values: Vec<f64>) -> Self {
         let count = values.len();
         let [low, median, high] = OF_INTERVAL.map(|fortieth| {
             let place = count * fortieth / 40;

@@ -447,7 +447,8 @@ impl Demand<'_, f64> {
             self.missing(
                 "avoid.clear.speed",
                 "`speed`, the other party's speed on its way out, as in speed = \"1.4 m/s\". You can leave it out only \
-                 if `demand` gives the other party's approach as `other`, if the table of its vehicle gives its speed, or if the speed of the vehicle that you ask about is to be found, too",
+                 if `demand` gives the other party's approach as `other`, if the table of its vehicle gives its speed, or \
+                 if the speed of the vehicle that you ask about is to be found, too",
             );
         }
         if clear.way == GivenWayOut::Outlines {
