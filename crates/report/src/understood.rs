@@ -9,7 +9,7 @@ use case::{
 use pim_core::VehicleId;
 use recorder::{Channel, RecorderTable};
 
-use crate::units::{Measure, Units, number, significant};
+use crate::units::{Measure, Units, number};
 use crate::words;
 
 pub(crate) fn spread(range: &Range) -> String {
@@ -18,7 +18,7 @@ pub(crate) fn spread(range: &Range) -> String {
         Spread::Uniform { low, high } => format!("{low} to {high}"),
         Spread::Triangular { low, high } => format!("most likely of {low} to {high}"),
         Spread::Within { percent, confidence } => {
-            format!("within {percent} % ({})", significant(confidence, 2))
+            format!("within {percent} % ({confidence})")
         }
     }
 }

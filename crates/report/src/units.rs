@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-pub(crate) use ::drawing::{number, significant};
+pub(crate) use ::drawing::{number, percent, significant};
 use case::{Case, Dimension, UnitSystem};
 use recorder::Channel;
 

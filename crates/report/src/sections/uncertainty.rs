@@ -20,7 +20,7 @@ use crate::outputs::{
 };
 use crate::pictures;
 use crate::understood::amount;
-use crate::units::{Measure, Units, grouped, number, significant};
+use crate::units::{Measure, Units, grouped, number, percent, significant};
 use crate::warnings;
 use crate::words;
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
@@ -129,7 +129,7 @@ impl<'a> Page<'a> {
         let of = |reason: Reason| {
             let failed = self.uncertainty.failed(reason);
             #[expect(clippy::cast_precision_loss, reason = "a share for people")]
-            let share = significant(100.0 * failed as f64 / evaluated as f64, 2);
+            let share = percent(failed as f64 / evaluated as f64);
             (failed > 0)
                 .then(|| format!("{} ({share} %) without: {}", grouped(failed), reason_words(reason)[1]))
         };
@@ -140,7 +140,7 @@ impl<'a> Page<'a> {
     fn doubts(&self) -> Vec<String> {
         let of = |doubtful: &Doubtful| {
             #[expect(clippy::cast_precision_loss, reason = "a share for people")]
-            let share = significant(100.0 * doubtful.samples as f64 / doubtful.of as f64, 2);
+            let share = percent(doubtful.samples as f64 / doubtful.of as f64);
             let among = if doubtful.doubt == Doubt::SeveralSpeeds {
                 format!(" of the first {}", grouped(doubtful.of))
             } else {
@@ -491,7 +491,7 @@ impl<'a> Page<'a> {
             table.row([input_name(&input.input), central, String::new(), distribution(input)]);
             let kept = input.truncation().map_or(1.0, |cut| cut.kept);
             if 1.0 - kept > NOTICED_CUT {
-                let away = significant(100.0 * (1.0 - kept), 2);
+                let away = percent(1.0 - kept);
                 let mean = with_unit(input, &significant(input.distribution.mean(), 4));
                 cut.push(format!(
                     "{}: {}; {away} % of the normal distribution is cut away, which moves its mean to {mean}",
