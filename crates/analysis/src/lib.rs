@@ -120,6 +120,6 @@ pub use speeds::{BothFound, BothMethod, CgLine, Combination};
 pub use thresholds::{
     DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FASTEST_BELIEVED, HIGH_RESTITUTION, POINT_MISSED,
 };
-pub use travel::{ClosedForm, Pass, SolvedSkid, THREAD_STACK, Travel, TravelOrigin};
+pub use travel::{ClosedForm, Pass, SolvedSkid, THREAD_STACK, Travel, TravelOrigin, UNLIKELY_TURN};
 pub use vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
 pub use warning::{Drive, JumpSide, Magnitude, Warning};

@@ -117,6 +117,8 @@ pub(crate) fn leaves_straight<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T
 
 /// (m) tolerance of the length of a straight path.
 const STRAIGHT_WAY: f64 = 1e-9;
+/// (m) a path that ends as near as this is the one sought: more than the error of its integration.
+const STRAIGHT_NEAR: f64 = 1e-3;
 /// Maximum number of steps of that search: on uniform ground, the first is exact.
 const STRAIGHT_STEPS: usize = 60;
 /// (m/s) its initial speed, which does not affect the result.
@@ -245,22 +247,9 @@ impl Followed<'_> {
             return Ok(Vec::new());
         }
         let control = Control { tolerance, longest_step: LONGEST_BETWEEN, ..Control::default() };
-        let mut places = Vec::new();
-        let mut before: Option<Sample> = None;
-        self.to_rest(start, &control, |sample| {
-            if let Some(before) = before.replace(*sample) {
-                let shares = ((sample.time - before.time) / BETWEEN_PLACES).ceil().max(1.0);
-                let at =
-                    |share: f64| before.between(sample, before.time + (sample.time - before.time) * share);
-                let mut share = 1.0;
-                while share < shares {
-                    places.push(place(&at(share / shares)));
-                    share += 1.0;
-                }
-            }
-            places.push(place(&sample.state));
-        })?;
-        Ok(self.way.points.iter().map(|point| pass(&places, &self.way.chassis, point)).collect())
+        let mut path = Vec::new();
+        self.to_rest(start, &control, |sample| path.push(*sample))?;
+        Ok(self.way.points.iter().map(|point| pass(&path, &self.way.chassis, point)).collect())
     }
 
     /// The path that begins straight towards the rest position, without yaw, with the measured length.
@@ -273,25 +262,35 @@ impl Followed<'_> {
             Ok::<_, Failure>((reached, (reached.rest.position - self.way.position).norm()))
         };
         // The path length grows with the speed: bracket it between too short and too long.
-        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let (mut low, mut high) = ([0.0, 0.0], None);
         let mut speed = STRAIGHT_BEGIN;
         let (mut found, mut reached) = reach(speed)?;
-        for _ in 0..STRAIGHT_STEPS {
+        for step in 1..=STRAIGHT_STEPS {
             if (reached - length).abs() <= STRAIGHT_WAY {
                 return Ok(found);
             }
             if reached < length {
-                low = speed;
+                low = [speed, reached];
             } else {
-                high = speed;
+                high = Some([speed, reached]);
             }
-            // S ∝ V² on uniform ground, where this is exact.
-            let next = speed * (length / reached).sqrt();
-            speed = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * speed)) };
+            speed = match (low, high) {
+                // Where the ground changes, S may grow far faster than V²: the false position of one side alone
+                // would stay, so every third step halves.
+                ([slow, short], Some([fast, long])) if slow > 0.0 => {
+                    let share = if step % 3 == 0 { 0.5 } else { (length - short) / (long - short) };
+                    (slow * slow + share * (fast * fast - slow * slow)).sqrt()
+                }
+                // S ∝ V² on uniform ground, where this is exact.
+                _ => speed * (length / reached).sqrt(),
+            };
             (found, reached) = reach(speed)?;
         }
         let Way { start, rest } = found;
         let miss = (reached - length).abs();
+        if miss <= STRAIGHT_NEAR {
+            return Ok(found);
+        }
         let reason =
             Unreached::Missed { motion: start, position: rest.position, heading: rest.heading, miss };
         Err(Failure::NoStart { vehicle: self.vehicle, reason })
@@ -314,38 +313,61 @@ const BETWEEN_PLACES: f64 = 0.02;
 /// (s) the longest step of such a path: its positions within a step are those of a cubic.
 const LONGEST_BETWEEN: f64 = 0.2;
 
-/// (m; rad) position and heading of a vehicle.
-fn place(state: &State) -> (Vector2<f64>, f64) {
-    (state.position, state.heading)
-}
-
-/// How a path through these positions (m), with these headings (rad), passes a point: that of the CG, or of
-/// the wheel that left the mark.
-fn pass(places: &[(Vector2<f64>, f64)], chassis: &Chassis, point: &PointData) -> Pass {
+/// How a path passes a point: that of the CG, or of the wheel that passed the point.
+fn pass(path: &[Sample], chassis: &Chassis, point: &PointData) -> Pass {
     let wheel = point.wheel.map(|wheel| &chassis.wheels()[wheel as usize]);
     // From the CG to the wheel: (f cos θ − l sin θ, f sin θ + l cos θ)
-    let place = |&(cg, heading): &(Vector2<f64>, f64)| {
-        wheel.map_or(cg, |wheel| {
-            let (sin, cos) = Real::sin_cos(heading);
+    let place = |state: &State| {
+        wheel.map_or(state.position, |wheel| {
+            let (sin, cos) = Real::sin_cos(state.heading);
             let (forward, left) = (wheel.forward, wheel.left);
-            cg + Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
+            state.position + Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
         })
     };
+    let arm = wheel.map_or(0.0, |wheel| Vector2::new(wheel.forward, wheel.left).norm());
+    // The path is at most this far from the point.
+    let distances = path.iter().map(|sample| (place(&sample.state) - point.position).norm());
+    let farthest = distances.fold(f64::INFINITY, f64::min);
     let mut nearest = Pass { miss: f64::INFINITY, turned: None };
-    for pair in places.windows(2) {
-        let [before @ (_, heading), after @ (_, later)] = pair else { continue };
-        let (from, to) = (place(before), place(after));
-        let (side, off) = (to - from, point.position - from);
-        let square = side.dot(&side);
-        let share = if square > 0.0 { (off.dot(&side) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let miss = (off - side * share).norm();
-        if miss < nearest.miss {
-            let there = heading + (later - heading) * share;
-            let turned = point.heading.map(|measured| real::principal_angle(measured - there));
-            nearest = Pass { miss, turned };
+    for pair in path.windows(2) {
+        let [before, after] = pair else { continue };
+        if least_distance(before, after, point.position) - arm > farthest {
+            continue;
+        }
+        let span = after.time - before.time;
+        let shares = (span / BETWEEN_PLACES).ceil().max(1.0);
+        let (mut from, mut heading, mut share) = (place(&before.state), before.state.heading, 1.0);
+        while share <= shares {
+            let state = match share < shares {
+                true => before.between(after, before.time + span * (share / shares)),
+                false => after.state,
+            };
+            let (to, later) = (place(&state), state.heading);
+            let (side, off) = (to - from, point.position - from);
+            let square = side.dot(&side);
+            let along = if square > 0.0 { (off.dot(&side) / square).clamp(0.0, 1.0) } else { 0.0 };
+            let miss = (off - side * along).norm();
+            if miss < nearest.miss {
+                let there = heading + (later - heading) * along;
+                let turned = point.heading.map(|measured| real::principal_angle(measured - there));
+                nearest = Pass { miss, turned };
+            }
+            (from, heading) = (to, later);
+            share += 1.0;
         }
     }
     nearest
+}
+
+/// (m) bound on the distance from a point to the path of the CG between two samples. That path is a cubic, which
+/// stays within the convex hull of its Bézier points: both ends, and a third of the span ahead of the one and
+/// back from the other with the velocities there.
+fn least_distance(before: &Sample, after: &Sample, point: Vector2<f64>) -> f64 {
+    let third = (after.time - before.time) / 3.0;
+    let chord = after.state.position - before.state.position;
+    let [ahead, back] = [before, after].map(|sample| sample.state.motion.velocity * third);
+    let radius = chord.norm().max(ahead.norm()).max((chord - back).norm());
+    (point - before.state.position).norm() - radius
 }
 
 /// The source of the vehicles' paths.
@@ -496,7 +518,7 @@ fn closed_form(
 }
 
 /// (rad) 300°: another motion with a larger turn than this is not reported if one with a smaller turn exists.
-const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
+pub const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 
 impl Travel {
     /// The start of this path as one of those that lead to the rest position.
@@ -623,4 +645,57 @@ pub(crate) fn skid(given: SkidData, speed: f64) -> Option<SolvedSkid> {
     let slide = Slide { friction, drag_share: 1.0, grade: 0.0, distance: length };
     let speed = slide.speed_at_start(speed.abs()).ok()?;
     Some(SolvedSkid { length, friction, speed })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LONGEST_BETWEEN, pass};
+    use ::uncertainty::random::{bits, unit};
+    use inputs::{MarkedWheel, PointData};
+    use pim_core::{Body, Motion, Vector2};
+    use trajectory::{Axles, Chassis, Control, Ground, Sample, State, Steer, to_rest};
+
+    /// A car that spins to rest passes points next to its path and far from it: the least distance of 20,000
+    /// positions of the wheel, or of the CG, is that of the path.
+    #[test]
+    fn a_pass_is_the_least_distance_of_the_whole_path() {
+        let axles = Axles { cg_to_front: 1.2, cg_to_rear: 1.4, track: 1.5 };
+        let body = Body::new(1400.0, 2600.0).unwrap();
+        for number in 0..60 {
+            let of = |place: u64, low: f64, high: f64| low + (high - low) * unit(bits(place, number));
+            let drag = [0, 1, 2, 3].map(|wheel| if of(wheel, 0.0, 1.0) < 0.4 { 1.0 } else { 0.1 });
+            let chassis = Chassis::new(body, axles, drag).unwrap();
+            let velocity = Vector2::new(of(5, 2.0, 20.0), of(6, -6.0, 6.0));
+            let motion = Motion { velocity, yaw_rate: of(7, -5.0, 5.0) };
+            let start = State { position: Vector2::new(0.0, 0.0), heading: of(8, -3.0, 3.0), motion };
+            let ground = Ground { friction: 0.7, zones: &[], grade: Vector2::new(0.0, 0.0) };
+            let control = Control { longest_step: LONGEST_BETWEEN, ..Control::default() };
+            let mut path: Vec<Sample> = Vec::new();
+            let record = |sample: &Sample| path.push(*sample);
+            to_rest(&chassis, Steer::Held(0.0), &ground, &start, &control, record).unwrap();
+            for wheel in [None, Some(MarkedWheel::FrontLeft), Some(MarkedWheel::RearRight)] {
+                let near = path[(of(9, 0.0, 1.0) * path.len() as f64) as usize].state.position;
+                let position = near + Vector2::new(of(10, -3.0, 3.0), of(11, -3.0, 3.0));
+                let found = pass(&path, &chassis, &PointData { position, heading: None, wheel });
+                let of_wheel = wheel.map_or([0.0; 2], |wheel| {
+                    let wheel = &chassis.wheels()[wheel as usize];
+                    [wheel.forward, wheel.left]
+                });
+                let mut least = f64::INFINITY;
+                for pair in path.windows(2) {
+                    let steps = 20_000 / path.len() + 1;
+                    for step in 0..=steps {
+                        let share = step as f64 / steps as f64;
+                        let time = pair[0].time + (pair[1].time - pair[0].time) * share;
+                        let state = pair[0].between(&pair[1], time);
+                        let ((sin, cos), [forward, left]) = (state.heading.sin_cos(), of_wheel);
+                        let arm = Vector2::new(forward * cos - left * sin, forward * sin + left * cos);
+                        least = least.min((state.position + arm - position).norm());
+                    }
+                }
+                // Positions 0.02 s apart, between which the path is taken as straight.
+                assert!((found.miss - least).abs() < 0.02, "{number} {wheel:?} {found:?} {least}");
+            }
+        }
+    }
 }

@@ -285,6 +285,42 @@ fn a_mark_is_held_against_the_path_of_its_wheel() {
     assert!(passes(place(0.0, 0.0), ", wheel = \"front left\"") > 0.1);
 }
 
+/// A car slides with locked wheels from a friction of 0.7 onto slicker ground, whose edge the front axle reaches
+/// after 1.8 m and the rear axle after 4.4 m: ½ V² = g Σ μ S, with the loads 1.4/2.6 in front and 1.2/2.6 behind.
+/// There the path grows far faster than the square of the speed.
+#[test]
+fn a_slide_onto_slick_ground_is_traced_back() {
+    for slick in [0.1, 0.2, 0.35, 0.6] {
+        let mixed = (1.4 * slick + 1.2 * 0.7) / 2.6;
+        for rest in [4.6, 5.5, 6.5, 8.0, 10.0, 10.5, 14.0] {
+            let text = format!(
+                r#"
+[scene]
+contact = {{ x = "0 m", y = "0 m" }}
+[surface]
+friction = 0.7
+zone = [{{ friction = {slick}, edge = [{{ x = "3 m", y = "-20 m" }}, {{ x = "3 m", y = "20 m" }}], side = "right" }}]
+[vehicle1]
+mass = "1400 kg"
+yaw_radius = "1.3 m"
+heading = "0 deg"
+position = {{ x = "0 m", y = "0 m" }}
+wheelbase = "2.6 m"
+track = "1.5 m"
+cg_to_front_axle = "1.2 m"
+[vehicle1.after]
+drag = "locked"
+rest = {{ x = "{rest} m", y = "0 m", heading = "0 deg" }}
+"#
+            );
+            let analysis = motion(&read(&text)).unwrap_or_else(|failure| panic!("{slick} {rest}: {failure}"));
+            let found = analysis.travel[0].as_ref().unwrap().start.motion.velocity.norm();
+            let expected = (2.0 * G * (0.7 * 1.8 + mixed * 2.6 + slick * (rest - 4.4))).sqrt();
+            assert!((found - expected).abs() < 1e-3, "{slick} {rest}: {found} {expected}");
+        }
+    }
+}
+
 /// A car with locked wheels slides 10²/(2·0.7 g) = 7.284 m along x, so that a point 15 % of that to the side,
 /// or where the heading would make 15 % of it on the wheelbase, just counts as one on its path.
 #[test]

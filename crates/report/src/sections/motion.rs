@@ -131,7 +131,10 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
             TravelOrigin::Impact | TravelOrigin::Given => {}
             TravelOrigin::Rest => {
                 let others = match travel.likely_others().count() {
-                    0 => "No other likely motion was found that reaches it".to_owned(),
+                    0 => format!(
+                        "No other motion with a turn of less than {:.0}° was found that reaches it",
+                        analysis::UNLIKELY_TURN.to_degrees()
+                    ),
                     1 => "One other motion reaches it as well".to_owned(),
                     several => format!("{several} other motions reach it as well"),
                 };
