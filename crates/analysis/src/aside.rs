@@ -1,5 +1,6 @@
 //! Evidence of a case that an answer does not use, and its contradictions with that answer.
 
+use evidence::RecorderPlace;
 use inputs::{Case, GivenVehicle, Purpose, Quantity, Recorder, RecordersDeltaV};
 use pim_core::VehicleId;
 use real::elementary::atan2;
@@ -13,7 +14,7 @@ use crate::given::certain_limits;
 use crate::recorded::with_records_of_impact;
 use crate::speeds::BothMethod;
 use crate::thresholds::{
-    DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
+    DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR, yaw_rate_error,
 };
 use crate::warning::Warning;
 
@@ -107,8 +108,17 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             continue;
         }
         let place = id.index();
-        let delta_v = exchange.delta_v_components[place];
-        let along_record = |least: &RecordersDeltaV| Some(least.part_of(delta_v));
+        let at_center = exchange.delta_v_components[place];
+        // (m/s) the answer's ΔV at the place of a recorder.
+        let sensed = |recorded: &RecordersDeltaV| match recorded.place {
+            None => Some(at_center),
+            Some(at) => {
+                let before = case.axes.lateral(vehicle.yaw_rate_before());
+                let place = RecorderPlace { at, yaw_rate: before };
+                exchange.yaw_rates[id.index()].map(|after| place.sensed(at_center, after))
+            }
+        };
+        let along_record = |least: &RecordersDeltaV| Some(least.part_of(sensed(least)?));
         warnings.extend(below_record(case, id, along_record, delta_v_limit));
         let mut add = |evidence: Evident, given: f64, found: f64| {
             warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
@@ -121,13 +131,22 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             let ground = case.ground_friction();
             if let Some(told) = recorder.tells_speed(ground) {
                 let error = told.error.unwrap_or(RECORDER_SPEED_ERROR);
-                if differs(told.speed, speed, error) {
+                let differs = match told.humps {
+                    Some(humps) => humps.iter().all(|hump| {
+                        (hump.mean - speed).abs() > (CONTRADICTS * hump.sd).max(LEAST_DIFFERENCE)
+                    }),
+                    None => differs(told.speed, speed, error),
+                };
+                if differs {
                     let evidence =
                         if told.is_of_table { Evident::TabledSpeed } else { Evident::RecordedSpeed };
                     add(evidence, told.speed, speed);
                 }
+            } else if let Some(stood) = recorder.impact_speed(ground)
+                && speed - stood.mean > (CONTRADICTS * stood.sd).max(LEAST_DIFFERENCE)
+            {
+                add(Evident::TabledSpeed, stood.mean, speed);
             }
-            let [along, left] = delta_v;
             let told = recorder.tells_delta_v(case.axes, vehicle.yaw_rate_before());
             let is_of_table = told.is_some_and(|told| told.is_of_table);
             let [longitudinal, lateral] = if is_of_table {
@@ -135,16 +154,35 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             } else {
                 [Evident::RecordedLongitudinal, Evident::RecordedLateral]
             };
+            let [along, left] = told.as_ref().and_then(sensed).map_or([None; 2], |found| found.map(Some));
             let parts = [
-                (longitudinal, told.and_then(|told| told.along), along),
-                (lateral, told.and_then(|told| told.left), left),
+                (longitudinal, told.and_then(|told| told.along).zip(along)),
+                (lateral, told.and_then(|told| told.left).zip(left)),
             ];
             // The error of a component is that of the whole: a direction is not known better than a size.
             let limit = delta_v_limit(recorder, told.map_or(0.0, |told| told.size()));
-            for (evidence, given, found) in parts {
-                if let Some(given) = given.filter(|given| (given - found).abs() > limit) {
+            for (evidence, both) in parts {
+                if let Some((given, found)) = both.filter(|(given, found)| (given - found).abs() > limit) {
                     add(evidence, given, found);
                 }
+            }
+        }
+        let of_recorder = vehicle.recorder.as_ref();
+        let of_after = vehicle.after.as_ref().filter(|_| !used.after);
+        let rates = [
+            (
+                Evident::RecordedYawRate,
+                of_recorder.and_then(|recorder| recorder.yaw_rate),
+                of_recorder.and_then(|recorder| recorder.yaw_rate_error),
+            ),
+            (Evident::YawRateAfter, of_after.and_then(|after| after.yaw_rate), None),
+        ];
+        for (evidence, given, error) in rates {
+            let Some((given, found)) = given.zip(exchange.yaw_rates[place]) else { continue };
+            let given = case.axes.lateral(given.si());
+            let error = error.map_or(yaw_rate_error(given), |error| error.si());
+            if (given - found).abs() > CONTRADICTS * error {
+                add(evidence, given, found);
             }
         }
         let skid_speed = vehicle.before.as_ref().and_then(|before| before.speed).map(|speed| speed.si());
@@ -153,7 +191,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
         {
             add(Evident::SkidSpeed, given, skid.speed);
         }
-        if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
+        if let Some(after) = of_after {
             let velocity = exchange.velocities[place];
             let found = velocity.norm();
             if let Some(given) = after.speed.as_ref().map(Quantity::si)

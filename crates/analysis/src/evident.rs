@@ -16,12 +16,16 @@ pub enum Evident {
     PulseLongitudinal,
     /// (m/s) ΔV across the vehicle by the recorder's pulse.
     PulseLateral,
+    /// (rad/s) the yaw rate after the impact by the recorder.
+    RecordedYawRate,
     /// (m/s) the speed at the start of its skid.
     SkidSpeed,
     /// (m/s) the speed after the impact.
     SpeedAfter,
     /// (rad) the direction of the velocity after the impact.
     DirectionAfter,
+    /// (rad/s) the yaw rate after the impact.
+    YawRateAfter,
     /// (m/s) a lower limit of its speed.
     AtLeast,
     /// (m/s) an upper limit of its speed.
@@ -38,9 +42,11 @@ impl Evident {
             Self::RecordedLateral => "recorder.delta_v_lateral",
             Self::TabledSpeed => "recorder.pre_crash",
             Self::PulseLongitudinal | Self::PulseLateral => "recorder.pulse",
+            Self::RecordedYawRate => "recorder.yaw_rate",
             Self::SkidSpeed => "before.speed",
             Self::SpeedAfter => "after.speed",
             Self::DirectionAfter => "after.direction",
+            Self::YawRateAfter => "after.yaw_rate",
             Self::AtLeast => "certain_speed.at_least",
             Self::AtMost => "certain_speed.at_most",
         }
@@ -48,6 +54,13 @@ impl Evident {
 
     /// Whether its sign is that of the lateral axis.
     pub(crate) fn is_lateral(self) -> bool {
-        matches!(self, Self::RecordedLateral | Self::PulseLateral | Self::DirectionAfter)
+        matches!(
+            self,
+            Self::RecordedLateral
+                | Self::PulseLateral
+                | Self::DirectionAfter
+                | Self::RecordedYawRate
+                | Self::YawRateAfter
+        )
     }
 }

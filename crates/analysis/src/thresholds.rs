@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use real::Real;
+
 /// Newton's third law: the peak forces of the two vehicles should be equal. Stiffness and crush are
 /// uncertain, but not by more than this factor.
 pub(crate) const FORCE_RATIO: f64 = 2.0;
@@ -68,3 +70,9 @@ pub(crate) const DIRECTION_AFTER_ERROR: f64 = 8.0 * PI / 180.0;
 pub(crate) const RECORDER_DELTA_V_ERROR: f64 = 0.08;
 /// (–) usual error of a recorder's speed, and of the speed at the start of a skid: a standard deviation.
 pub(crate) const RECORDER_SPEED_ERROR: f64 = 0.04;
+
+/// (rad/s) standard deviation of the error of a yaw rate (rad/s) after the impact: 20 % of it, and at least
+/// 10°/s, that of a slow turn.
+pub(crate) fn yaw_rate_error(rate: f64) -> f64 {
+    Real::max(0.2 * rate.abs(), 10.0 * PI / 180.0)
+}

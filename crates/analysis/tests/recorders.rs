@@ -52,6 +52,73 @@ fn a_speed_that_the_table_contradicts_is_told() {
     assert_eq!(differs(&head_on(&table(65))), [Evident::TabledSpeed]);
 }
 
+/// A table of a vehicle that stood up to the impact, of a case that has it at 50 km/h.
+#[test]
+fn a_table_of_a_standing_vehicle_contradicts_a_moving_one() {
+    assert_eq!(differs(&head_on(&table(0))), [Evident::TabledSpeed]);
+    let slow = head_on(&table(0)).source.text().replace("speed = \"50 km/h\"", "speed = \"4 km/h\"");
+    assert_eq!(differs(&CaseFile::parse("case.toml", &slow).unwrap()), []);
+}
+
+/// After a steep fall either speed agrees, and one between them contradicts the table.
+#[test]
+fn either_speed_after_a_steep_fall_agrees() {
+    let lines = |first: u8, last: u8| {
+        format!(
+            "pre_crash = {{ time = \"-1 -0.5 0 s\", speed = \"{first} {first} {last} km/h\", brake = \"on on on\" }}"
+        )
+    };
+    for (first, last, expected) in [(53, 10, None), (110, 48, None), (100, 20, Some(Evident::TabledSpeed))] {
+        assert_eq!(differs(&head_on(&lines(first, last))), expected.as_slice(), "{first} {last}");
+    }
+}
+
+/// The central impact turns nothing: 3 · 20 % of 90 °/s are 54 °/s, and 3 · 10 °/s are 30 °/s.
+#[test]
+fn a_yaw_rate_that_the_answer_contradicts_is_told() {
+    let after = |rate: &str| {
+        let text =
+            head_on("").source.text().replace("[vehicle1.recorder]", &format!("[vehicle1.after]\n{rate}"));
+        differs(&CaseFile::parse("case.toml", &text).unwrap())
+    };
+    for (rate, is_told) in [("yaw_rate = \"90 deg/s\"", true), ("yaw_rate = \"-29 deg/s\"", false)] {
+        assert_eq!(differs(&head_on(rate)).contains(&Evident::RecordedYawRate), is_told, "{rate}");
+        assert_eq!(after(rate).contains(&Evident::YawRateAfter), is_told, "{rate}");
+    }
+    assert_eq!(differs(&head_on("yaw_rate = \"90 deg/s\"\nyaw_rate_error = \"31 deg/s\"")), []);
+}
+
+/// A recorder away from the CG of a vehicle that turns: its ΔV is that of the CG and Ω × r, and the answer is
+/// compared there, whether the record is a pulse or two numbers.
+#[test]
+fn an_answer_is_compared_at_the_place_of_the_recorder() {
+    let text = |recorder: &str| head_on(recorder).source.text().replacen("y = \"0 m\"", "y = \"0.6 m\"", 1);
+    let analysis = impact(&CaseFile::parse("case.toml", &text("")).unwrap().case).unwrap();
+    let exchange = analysis.exchange().unwrap();
+    let ([along, left], turned) = (exchange.delta_v_components[0], exchange.yaw_rates[0].unwrap());
+    assert!(turned.abs() > 1.0, "{turned}");
+    for (x, y) in [(-1.2, 0.3), (1.0, -0.5), (0.0, 0.0)] {
+        // V = v + Ω × r
+        let [there, across] = [along - turned * y, left + turned * x].map(|si| si * 3.6);
+        let at = format!("at = {{ x = \"{x} m\", y = \"{y} m\" }}\n");
+        let over_time =
+            |whole: f64| [0.0, 0.2, 0.5, 0.8, 1.0, 1.0, 1.0].map(|part| (part * whole).to_string()).join(" ");
+        let pulse = format!(
+            "pulse = {{ time = \"0 20 40 60 80 100 120 ms\", delta_v_longitudinal = \"{} km/h\", \
+             delta_v_lateral = \"{} km/h\" }}",
+            over_time(there),
+            over_time(-across)
+        );
+        let numbers = format!("delta_v_longitudinal = \"{there} km/h\"\ndelta_v_lateral = \"{across} km/h\"");
+        for record in [pulse, numbers] {
+            let told = |lines: &str| differs(&CaseFile::parse("case.toml", &text(lines)).unwrap());
+            assert_eq!(told(&format!("{at}{record}")), [], "{x} {y} {record}");
+            // Taken as the ΔV of the CG, the same record contradicts it.
+            assert_eq!(told(&record).is_empty(), x == 0.0, "{x} {y} {record}");
+        }
+    }
+}
+
 /// Both of 1500 kg at 50 and 40 km/h with e = 0.1: ΔV = 1.1 · 90/2 = 49.5 km/h.
 #[test]
 fn a_pulse_that_disagrees_is_told_and_one_cut_off_is_not() {

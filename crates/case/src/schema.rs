@@ -750,6 +750,8 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "Greatest acceleration with the brake off. Either way, in per cent of g: 1 m/s² if left out.";
         r#"brake_comes_on = "25 %""#: Form::Percent(NOT_NEGATIVE),
             "Probability that the brake came on in the gap. If it is off in the last sample, for each half second after that: 25 % if left out.";
+        r#"keeps_braking = "65 %""#: Form::Percent(NOT_NEGATIVE),
+            "Probability that a driver who braked kept the deceleration. If the brake is on in the last two samples, he keeps what they show, within 0.1 g, up to the impact; otherwise he brakes at anything up to `friction`: 65 % if left out, as in half seconds of 108 crashes.";
         r#"latency = "0.1 s""#: Form::Exact(Dimension::Time, NOT_NEGATIVE),
             "Greatest age of a stored speed. At the time that the report gives for it: 0.1 s if left out.";
         r#"last_is_of_impact = "50 %""#: Form::Percent(NOT_NEGATIVE),
@@ -781,7 +783,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
         r#"crush_bias = "59 %""#: Form::Percent(POSITIVE),
             r#"Average share of the impact's energy that crush shows. `"100 %"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted to real crashes, and 100 % for everything else."#;
         r#"rest_error = "10 %""#: Form::Percent(POSITIVE),
-            "Error of a computed rest or point, as a standard deviation. In per cent of its measured distance from the impact: 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.";
+            "Error of a computed rest or point, as a standard deviation. In per cent of its distance from the impact, at the geometric mean of the measured and the computed distance: 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.";
         r#"rest_least_error = "0.5 m""#: Form::Exact(Dimension::Length, POSITIVE),
             "Error of a computed rest or point that does not grow with the path. 0.5 m if left out.";
         r#"rest_heading_error = "15 deg""#: Form::Exact(Dimension::Angle, POSITIVE),

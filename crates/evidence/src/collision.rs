@@ -111,16 +111,62 @@ pub struct ObservedVehicle {
 pub struct MeasuredRest {
     /// (m) position of the CG in the scene.
     pub position: Vector2<f64>,
-    /// (rad) direction of the rest position from the impact: the normal score is that of the error along it.
-    pub direction: f64,
-    /// (m) standard deviation of the error of the position, in each direction.
-    pub position_sd: f64,
+    /// (m) its position at the impact: the normal score is that of the error along the line from there.
+    pub impact: Vector2<f64>,
+    /// The error of the position, in each direction.
+    pub error: PlaceError,
     /// (rad) heading.
     pub heading: f64,
     /// Whether the heading includes full turns.
     pub turns_are_known: bool,
     /// (rad) standard deviation of the error of the heading.
     pub heading_sd: f64,
+}
+
+impl MeasuredRest {
+    /// (m) standard deviation of the error of the position, at the measured distance from the impact.
+    #[must_use]
+    pub fn position_sd(&self) -> f64 {
+        self.error.sd((self.position - self.impact).norm())
+    }
+
+    /// (m) how far the measured position is from a computed one, along the line from the impact and across it
+    /// (to its left), as an error with the standard deviation [`Self::position_sd`].
+    ///
+    /// The error grows with the distance. It is taken at the geometric mean of the measured and the computed
+    /// distance: a rest position that is too far by a factor is then as likely as one that is too near by it.
+    /// With the error at the measured distance, the positions that are too near by chance would count for more.
+    #[inline(always)]
+    pub(crate) fn apart(&self, computed: Vector2<f64>) -> [f64; 2] {
+        let (line, apart) = (self.position - self.impact, self.position - computed);
+        let distance = line.norm();
+        let (cos, sin) = if distance > 0.0 { (line.x / distance, line.y / distance) } else { (1.0, 0.0) };
+        // Δ/√(σ σ̂) = Δ √(σ/σ̂)/σ
+        let scale = Real::sqrt(self.error.sd(distance) / self.error.sd((computed - self.impact).norm()));
+        [scale * (apart.x * cos + apart.y * sin), scale * (apart.y * cos - apart.x * sin)]
+    }
+}
+
+/// The error of a place that the model of the motion computes, against the survey of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceError {
+    /// (m) standard deviation of the model's error at the impact.
+    pub least: f64,
+    /// (–) growth of that with the distance from the impact.
+    pub share: f64,
+    /// (m) standard deviation of the survey's error.
+    pub survey: f64,
+}
+
+impl PlaceError {
+    /// (m) the standard deviation at a distance (m) from the impact.
+    #[inline(always)]
+    #[must_use]
+    pub fn sd(self, distance: f64) -> f64 {
+        // σ² = (least + share d)² + survey²
+        let model = self.least + self.share * distance;
+        Real::sqrt(model * model + self.survey * self.survey)
+    }
 }
 
 /// Mass and radius of gyration of a vehicle.
@@ -474,6 +520,21 @@ pub struct MeasuredSpeed {
     pub least: f64,
 }
 
+/// A speed by a recorder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShownSpeed {
+    /// One speed.
+    One(MeasuredSpeed),
+    /// (m/s) one of two, each with its probability: the wheels may have slipped.
+    Either([(f64, Measured); 2]),
+}
+
+impl From<MeasuredSpeed> for ShownSpeed {
+    fn from(speed: MeasuredSpeed) -> Self {
+        Self::One(speed)
+    }
+}
+
 /// Motion of a vehicle after the impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PostImpactMotion {
@@ -500,7 +561,7 @@ pub struct RecordedData {
     /// The direction from which the force came, from both components of its ΔV.
     pub direction: Option<CodedPdof>,
     /// (m/s) speed before impact.
-    pub speed: Option<MeasuredSpeed>,
+    pub speed: Option<ShownSpeed>,
     /// (rad/s) yaw rate after the impact.
     pub yaw_rate: Option<Measured>,
     /// The place of the recorder, if its ΔV is that of this place; `None` if it is that of the CG.

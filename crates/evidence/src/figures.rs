@@ -62,7 +62,7 @@ const NODES: [[f64; 2]; 3] =
 
 /// A mixture of normal distributions: for each, the error, its standard deviation and the weight.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Mixture([[f64; 3]; 3]);
+pub(crate) struct Mixture(pub(crate) [[f64; 3]; 3]);
 
 impl CrushFigures {
     /// The error (–) of the crush energies, whose shares are 1 − `share` and `share`, if it is `error` with

@@ -21,8 +21,9 @@ pub trait Impacts: Sync {
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted>;
 
     /// The same, but a vehicle is followed to rest only in the particles selected by `wanted`. That is called
-    /// for each vehicle once the impacts are known and the vehicles before it have been followed. `None` if
-    /// no vehicle is followed.
+    /// for each vehicle once the impacts are known and the vehicles before it have been followed, and again,
+    /// for the distances of its path from observed points, once its rest is known. `None` if no vehicle is
+    /// followed.
     fn impacts_as_wanted(
         &self,
         values: &[Lanes],
@@ -71,8 +72,8 @@ pub struct Way {
     pub position: Vector2<f64>,
     /// (rad) heading at rest, including full turns.
     pub heading: f64,
-    /// (m) least distance of the path from each observed point.
-    pub misses: Vec<f64>,
+    /// (m) least distance of the path from each observed point; `None` if it was not wanted.
+    pub misses: Option<Vec<f64>>,
 }
 
 impl Collision<Slot> {

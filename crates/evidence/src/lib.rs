@@ -54,9 +54,9 @@ mod tested;
 
 pub use collision::{
     BodyNumbers, CodedPdof, Collision, CrushErrors, CrushMisfit, CrushNumbers, EnergyError, InjuryRisk,
-    Limits, Measured, MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, PostImpactMotion,
-    RecordedData, RecordedDeltaV, RecordedPart, RecorderPlace, RestitutionModel, Severity, Speeds,
-    VehicleNumbers,
+    Limits, Measured, MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, PlaceError,
+    PostImpactMotion, RecordedData, RecordedDeltaV, RecordedPart, RecorderPlace, RestitutionModel, Severity,
+    ShownSpeed, Speeds, VehicleNumbers,
 };
 pub use density::Freedom;
 pub use figures::{CRUSH_FIGURES, CrushChange, CrushFigures, OfVehicle};

@@ -2,13 +2,13 @@
 
 use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Outcome, Vector2, VehicleId};
-use real::elementary::{atan2, exp, ln, sin_cos};
+use real::elementary::{atan2, exp, ln};
 use real::{Real, principal_angle};
 use uncertainty::{Distribution, Instructions, LANES, Lanes, dispatch};
 
 use crate::collision::{
     BodyNumbers, CodedPdof, Collision, CrushErrors, CrushNumbers, EnergyError, Measured, MeasuredRest,
-    MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, VehicleNumbers,
+    MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, ShownSpeed, VehicleNumbers,
 };
 use crate::density::{Freedom, normal, relative, student_of_three, student_of_two};
 use crate::figures::{CrushChange, CrushFigures, Mixture};
@@ -171,6 +171,7 @@ impl<I: Impacts> CollisionModel<I> {
                 *score = match part {
                     PartOf::Number(Piece::Severity) => f64::NAN,
                     PartOf::Number(Piece::Crush) => self.score_of_crush(impacted),
+                    PartOf::Number(Piece::RecordedSpeed(id)) => self.score_of_speed(id, impacted),
                     PartOf::Number(piece) => self.error(piece, impacted).score(),
                     PartOf::Angle(piece) => self.error(piece, impacted).error,
                     PartOf::Across(id) => {
@@ -197,6 +198,14 @@ impl<I: Impacts> CollisionModel<I> {
         }
     }
 
+    /// The normal score of the speed by a recorder.
+    fn score_of_speed(&self, id: VehicleId, impacted: &Impacted) -> f64 {
+        match self.observed.vehicles[id.index()].recorder.speed {
+            Some(ShownSpeed::Either(two)) => of_two(two, impacted.speeds[id.index()]).score(),
+            _ => self.error(Piece::RecordedSpeed(id), impacted).score(),
+        }
+    }
+
     /// The normal score for an error (rad) of a part that is an angle.
     fn score_of_angle(&self, part: usize, error: f64) -> f64 {
         let of = |vehicle: &ObservedVehicle, part: PartOf| match part {
@@ -216,11 +225,8 @@ impl<I: Impacts> CollisionModel<I> {
     #[inline(always)]
     fn rest_errors(&self, id: VehicleId, impacted: &Impacted) -> Option<[Error; 3]> {
         let (measured, way) = (self.observed.vehicles[id.index()].rest?, impacted.ways[id.index()].as_ref()?);
-        let MeasuredRest { position, direction, position_sd, heading, turns_are_known, heading_sd } =
-            measured;
-        let apart = position - way.position;
-        let (sin, cos) = sin_cos(direction);
-        let (along, across) = (apart.x * cos + apart.y * sin, apart.y * cos - apart.x * sin);
+        let MeasuredRest { heading, turns_are_known, heading_sd, .. } = measured;
+        let (position_sd, [along, across]) = (measured.position_sd(), measured.apart(way.position));
         let turned = heading - way.heading;
         let turned = if turns_are_known { turned } else { principal_angle(turned) };
         Some([
@@ -376,15 +382,17 @@ impl<I: Impacts> CollisionModel<I> {
                     Error { potential: across.log_likelihood() + turned.log_likelihood(), ..along }
                 }
                 // Not followed: the maximum.
-                (None, Some(MeasuredRest { position_sd, heading_sd, .. })) => {
-                    let other = normal(0.0, position_sd) + normal(0.0, heading_sd);
-                    Error { potential: other, ..Error::normal(0.0, position_sd) }
+                (None, Some(rest)) => {
+                    let sd = rest.position_sd();
+                    let other = normal(0.0, sd) + normal(0.0, rest.heading_sd);
+                    Error { potential: other, ..Error::normal(0.0, sd) }
                 }
                 (None, None) => Error::NONE,
             },
-            Piece::Points(id) => match &impacted.ways[id.index()] {
-                Some(way) => {
-                    let errors = vehicle(id).points.iter().zip(&way.misses);
+            Piece::Points(id) => match impacted.ways[id.index()].as_ref().and_then(|way| way.misses.as_ref())
+            {
+                Some(misses) => {
+                    let errors = vehicle(id).points.iter().zip(misses);
                     let potential = errors.map(|(sd, miss)| normal(*miss, *sd)).sum();
                     Error { potential, ..Error::NONE }
                 }
@@ -395,10 +403,14 @@ impl<I: Impacts> CollisionModel<I> {
                 }
             },
             Piece::RecordedYawRate(id) => yaw_rate(vehicle(id).recorder.yaw_rate, id),
-            Piece::RecordedSpeed(id) => vehicle(id)
-                .recorder
-                .speed
-                .map_or(Error::NONE, |shown| shown.error(impacted.speeds[id.index()])),
+            Piece::RecordedSpeed(id) => match vehicle(id).recorder.speed {
+                Some(ShownSpeed::One(measured)) => measured.error(impacted.speeds[id.index()]),
+                Some(ShownSpeed::Either(two)) => {
+                    let potential = of_two(two, impacted.speeds[id.index()]).log_density();
+                    Error { potential, ..Error::NONE }
+                }
+                None => Error::NONE,
+            },
             Piece::SkidSpeed(id) => match (vehicle(id).skid_speed, impacted.skid_speeds[id.index()]) {
                 (Some(measured), Some(speed)) => measured.error(speed),
                 // Without a skid there is no such speed.
@@ -556,6 +568,13 @@ impl MeasuredSpeed {
             Error::normal(value - speed, least)
         }
     }
+}
+
+/// The error (m/s) of one of two speeds, each with its probability, for a vehicle with this `speed` (m/s).
+#[inline(always)]
+fn of_two([(first, one), (second, two)]: [(f64, Measured); 2], speed: f64) -> Mixture {
+    let of = |measured: Measured, weight: f64| [measured.value - speed, measured.sd, weight];
+    Mixture([of(one, first), of(one, 0.0), of(two, second)])
 }
 
 impl RecordedPart {

@@ -12,7 +12,7 @@ use evidence::DamagedSide::{self, Front, Rear, Side};
 use evidence::{
     Behind, CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DrawnOutput,
     EnergyError, FITTED, Freedom, Impacted, Impacts, Measured, MeasuredRest, MeasuredSpeed, Number,
-    ObjectFigures, Observed, RecordedDeltaV, RestitutionModel, Severity, Speeds, Way,
+    ObjectFigures, Observed, PlaceError, RecordedDeltaV, RestitutionModel, Severity, Speeds, Way,
 };
 use pim_core::VehicleId::{self, One, Two};
 use pim_core::{Motion, Vector2};
@@ -189,11 +189,14 @@ fn front_and_rear() -> Shape {
                 freedom: Freedom::Three,
             });
             let sd = 0.05;
-            recorder.speed = Some(MeasuredSpeed {
-                value: truth.speeds[0] * (sd * random.normal()).exp(),
-                ln_sd: sd,
-                least: 0.0,
-            });
+            recorder.speed = Some(
+                MeasuredSpeed {
+                    value: truth.speeds[0] * (sd * random.normal()).exp(),
+                    ln_sd: sd,
+                    least: 0.0,
+                }
+                .into(),
+            );
         },
     }
 }
@@ -238,8 +241,8 @@ fn front_and_side_to_rest() -> Shape {
                 let error = Vector2::new(random.normal(), random.normal()) * REST_SD;
                 collision.observed.vehicles[i].rest = Some(MeasuredRest {
                     position: way.position + error,
-                    direction: way.position.y.atan2(way.position.x),
-                    position_sd: REST_SD,
+                    impact: Vector2::new(0.0, 0.0),
+                    error: PlaceError { least: REST_SD, share: 0.0, survey: 0.0 },
                     heading: way.heading + heading_sd * random.normal(),
                     turns_are_known: false,
                     heading_sd,
@@ -291,7 +294,7 @@ fn slide(after: &Motion, heading: f64) -> Way {
     Way {
         position: after.velocity * (speed / (2.0 * deceleration)),
         heading: heading + 0.5 * after.yaw_rate * speed / deceleration,
-        misses: Vec::new(),
+        misses: None,
     }
 }
 
@@ -476,7 +479,7 @@ fn wrong_errors_are_noticed() {
     // Rests that err more than is stated.
     let rests = most(&front_and_side_to_rest(), |collision| {
         for rest in collision.observed.vehicles.iter_mut().filter_map(|vehicle| vehicle.rest.as_mut()) {
-            rest.position_sd *= 0.5;
+            rest.error.least *= 0.5;
         }
     });
     // Collisions with a fixed object, by the misfit and the severity of two vehicles.

@@ -6,8 +6,9 @@ use estimate::{DrawnQuantity, Evidence, Independent, ParticleSettings, sample_qu
 use evidence::{
     BodyNumbers, CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DamagedSide,
     DrawnOutput, EnergyError, FITTED, Freedom, Impacted, Impacts, InjuryRisk, Limits, Measured, MeasuredRest,
-    MeasuredSpeed, Number, Observed, ObservedVehicle, OtherCrush, Piece, PostImpactMotion, RecordedData,
-    RecordedDeltaV, RecordedPart, RecorderPlace, RestitutionModel, Severity, Speeds, VehicleNumbers, Way,
+    MeasuredSpeed, Number, Observed, ObservedVehicle, OtherCrush, Piece, PlaceError, PostImpactMotion,
+    RecordedData, RecordedDeltaV, RecordedPart, RecorderPlace, RestitutionModel, Severity, ShownSpeed,
+    Speeds, VehicleNumbers, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -215,7 +216,7 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, least: 0.0, freedom });
     collision.observed.vehicles[0].recorder = RecordedData {
         delta_v,
-        speed: Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }),
+        speed: Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }.into()),
         ..RecordedData::default()
     };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
@@ -365,7 +366,7 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
     let split = Number::Exact((12.0_f64 / 5.0).atan());
     for (k, speed) in [(0, 5.0), (1, 12.0)] {
         collision.observed.vehicles[k].recorder.speed =
-            Some(MeasuredSpeed { value: speed, ln_sd: 0.01, least: 0.0 });
+            Some(MeasuredSpeed { value: speed, ln_sd: 0.01, least: 0.0 }.into());
     }
     for speeds in [
         Speeds::Together { ln_relative: Number::Exact(13.0_f64.ln()), split },
@@ -408,17 +409,20 @@ impl Impacts for Followed {
 
 #[test]
 fn rests_and_points_have_normal_errors() {
-    let way = Way { position: Vector2::new(10.0, 3.0), heading: 7.0, misses: vec![0.4, -0.1] };
+    let way = Way { position: Vector2::new(10.0, 3.0), heading: 7.0, misses: Some(vec![0.4, -0.1]) };
     let rest = |heading, turns_are_known| MeasuredRest {
         position: Vector2::new(11.0, 2.5),
-        direction: 0.6,
-        position_sd: 0.8,
+        impact: Vector2::new(2.0, -3.0),
+        error: PlaceError { least: 0.3, share: 0.04, survey: 0.48 },
         heading,
         turns_are_known,
         heading_sd: 0.3,
     };
-    // x − x̂ = 1 m, y − ŷ = −0.5 m, and 0.2 rad with and without the full turn.
-    let place = normal(1.0 / 0.8, 0.8) + normal(-0.5 / 0.8, 0.8);
+    // x − x̂ = 1 m, y − ŷ = −0.5 m, and 0.2 rad with and without the full turn. The rest is 10.548 m from the
+    // impact, the computed one 10 m; σ² = (0.3 + 0.04 d)² + 0.48² for each.
+    let sd = |distance: f64| (0.3 + 0.04 * distance).hypot(0.48);
+    let (measured, computed) = (sd(9.0_f64.hypot(5.5)), sd(10.0));
+    let place = -1.25 / (2.0 * measured * computed) - 2.0 * (measured * (2.0 * PI).sqrt()).ln();
     for (heading, turns_are_known, turned) in
         [(7.2, true, 0.2), (7.2 - 2.0 * PI, false, 0.2), (0.5, true, -6.5)]
     {
@@ -450,11 +454,11 @@ fn rests_and_points_have_normal_errors() {
 fn the_score_of_a_rest_is_that_along_the_way() {
     for direction in [0.0, 1.0, 2.5, -2.0_f64] {
         let ahead = |way: f64| Vector2::new(way * direction.cos(), way * direction.sin());
-        let way = Way { position: ahead(10.0), heading: 0.0, misses: Vec::new() };
+        let way = Way { position: ahead(10.0), heading: 0.0, misses: None };
         let rest = MeasuredRest {
             position: ahead(12.0),
-            direction,
-            position_sd: 1.6,
+            impact: Vector2::new(0.0, 0.0),
+            error: PlaceError { least: 0.4, share: 0.1, survey: 0.0 },
             heading: 0.1,
             turns_are_known: true,
             heading_sd: 0.3,
@@ -470,7 +474,8 @@ fn the_score_of_a_rest_is_that_along_the_way() {
         let impacts = followed.impacts(&[]);
         let mut scores = [Lanes::ZERO];
         CollisionModel::of(followed, observed).score(&impacts, &mut scores);
-        close(scores[0][0], 1.25);
+        // σ = 1.6 m at the measured distance, and 1.4 m at the computed one.
+        close(scores[0][0], 2.0 / (1.6_f64 * 1.4).sqrt());
     }
 }
 
@@ -483,13 +488,45 @@ fn a_recorded_yaw_rate_is_that_after_the_impact() {
     close(term, normal(0.3 / 0.2, 0.2));
 }
 
+/// A recorder whose last speeds fell too steeply stored one of two speeds: a mixture of two normal errors, whose
+/// probability below is the share of the observation.
+#[test]
+fn a_recorder_may_mean_one_of_two_speeds() {
+    let two = [(0.3, Measured { value: 12.0, sd: 0.5 }), (0.7, Measured { value: 25.0, sd: 1.0 })];
+    for speed in [11.0, 12.2, 16.0, 24.0, 26.5] {
+        let mut collision = rear_end();
+        collision.speeds = Speeds::Each([speed.into(), 0.0.into()]);
+        collision.observed.vehicles[0].recorder.speed = Some(ShownSpeed::Either(two));
+        let [(Piece::RecordedSpeed(One), term)] = terms(&collision)[..] else { panic!() };
+        let density = |(weight, Measured { value, sd }): (f64, Measured)| {
+            let z = (value - speed) / sd;
+            weight * (-0.5 * z * z).exp() / (sd * (2.0 * PI).sqrt())
+        };
+        assert!((term - two.map(density).iter().sum::<f64>().ln()).abs() < 1e-9, "{speed} {term}");
+        let model = CollisionModel::new(&collision);
+        let impacts = model.leads().impacts(&[]);
+        let mut scores = [Lanes::ZERO];
+        model.score(&impacts, &mut scores);
+        // Φ(z) = Σ w Φ((v − v̂)/σ), by trapezoids.
+        let below = |z: f64| {
+            let (low, steps) = (-12.0, 4000);
+            let h = (z - low) / f64::from(steps);
+            let of = |k: i32| (-0.5 * (low + h * f64::from(k)).powi(2)).exp() / (2.0 * PI).sqrt();
+            (0..steps).map(|k| 0.5 * h * (of(k) + of(k + 1))).sum::<f64>()
+        };
+        let expected: f64 =
+            two.iter().map(|(weight, one)| weight * below((one.value - speed) / one.sd)).sum();
+        assert!((below(scores[0][0]) - expected).abs() < 1e-4, "{speed} {}", scores[0][0]);
+    }
+}
+
 #[test]
 fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
     for (speed, is_possible) in [(15.0, true), (-3.0, false), (0.0, false)] {
         let mut collision = rear_end();
         collision.speeds = Speeds::Each([speed.into(), (-20.0).into()]);
         collision.observed.vehicles[0].recorder.speed =
-            Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 });
+            Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }.into());
         let [(Piece::RecordedSpeed(One), term)] = terms(&collision)[..] else { panic!() };
         assert_eq!(term > f64::NEG_INFINITY, is_possible, "{speed} {term}");
         assert!(!term.is_nan());

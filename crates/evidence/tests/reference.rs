@@ -133,7 +133,7 @@ fn recorder() -> Collision {
         Some(RecordedDeltaV { size, is_longitudinal, ln_scale, least: 0.0, freedom })
     };
     let [one, two] = &mut collision.observed.vehicles;
-    one.recorder.speed = Some(MeasuredSpeed { value: 13.0, ln_sd: 0.05, least: 0.0 });
+    one.recorder.speed = Some(MeasuredSpeed { value: 13.0, ln_sd: 0.05, least: 0.0 }.into());
     one.recorder.delta_v = stored(6.0, false);
     two.recorder.delta_v = stored(4.0, true);
     collision

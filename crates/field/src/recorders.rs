@@ -232,7 +232,7 @@ impl RecordedPair {
         let mut collision = self.pair.known(known, &fitted, given)?;
         for id in with_speed {
             let speed = self.last[id.index()].as_evidence(exact == Some(WidthPart::Recorder));
-            collision.observed.vehicles[id.index()].recorder.speed = Some(speed);
+            collision.observed.vehicles[id.index()].recorder.speed = Some(speed.into());
         }
         if exact == Some(WidthPart::Crush) {
             collision.observed.crush = collision.observed.crush.map(|CrushErrors(errors)| {

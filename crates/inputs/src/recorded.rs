@@ -232,6 +232,8 @@ pub struct GivenSpeedErrors {
     pub coasting: Option<f64>,
     /// (%) probability that the brake came on within half a second of the gap.
     pub brake_comes_on: Option<f64>,
+    /// (%) probability that a driver who braked kept his deceleration.
+    pub keeps_braking: Option<f64>,
     /// (s) greatest age of a stored speed.
     pub latency: Option<Quantity>,
     /// (%) probability that the last speed belongs to the impact itself if it fell by more than 1 g.
@@ -256,6 +258,7 @@ impl GivenSpeedErrors {
             friction: share(self.friction, ground.unwrap_or(usual.friction)),
             coasting: self.coasting.map_or(usual.coasting, |percent| percent / 100.0 * STANDARD_GRAVITY),
             brake_comes_on: share(self.brake_comes_on, usual.brake_comes_on),
+            keeps_braking: share(self.keeps_braking, usual.keeps_braking),
             latency: si(self.latency, usual.latency),
             last_is_of_impact: share(self.last_is_of_impact, usual.last_is_of_impact),
         }
@@ -297,6 +300,7 @@ impl<U> Walk<'_, U> {
             ("friction", errors.friction),
             ("coasting", errors.coasting),
             ("brake_comes_on", errors.brake_comes_on),
+            ("keeps_braking", errors.keeps_braking),
             ("last_is_of_impact", errors.last_is_of_impact),
         ];
         for (key, share) in shares {

@@ -5,7 +5,9 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use recorder::{CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, PreCrash, PulseRule};
+use recorder::{
+    CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, PreCrash, PulseRule, SpeedHump,
+};
 
 use crate::axes::Axes;
 use crate::choices;
@@ -94,6 +96,8 @@ pub struct RecordersSpeed {
     pub error: Option<f64>,
     /// Whether it follows from the table before the impact, rather than being given as a number.
     pub is_of_table: bool,
+    /// The two speeds that the table may mean, if its last speeds fell too steeply.
+    pub humps: Option<[SpeedHump; 2]>,
 }
 
 /// ΔV by a recorder, along the vehicle and to its left.
@@ -105,6 +109,9 @@ pub struct RecordersDeltaV {
     pub left: Option<f64>,
     /// Whether it follows from the pulse, rather than being given as numbers.
     pub is_of_table: bool,
+    /// (m) the place of the recorder, forward and left of the centre of gravity, if this is the ΔV there;
+    /// `None` if it is that of the centre of gravity.
+    pub place: Option<[f64; 2]>,
 }
 
 impl RecordersDeltaV {
@@ -165,16 +172,19 @@ impl Recorder {
     pub fn tells_speed(&self, ground: Option<f64>) -> Option<RecordersSpeed> {
         let given = self.speed_error.map(|percent| percent / 100.0);
         if let Some(speed) = &self.speed {
-            return Some(RecordersSpeed { speed: speed.si(), error: given, is_of_table: false });
+            return Some(RecordersSpeed { speed: speed.si(), error: given, is_of_table: false, humps: None });
         }
         let found = self.impact_speed(ground).filter(|found| found.mean >= STOOD)?;
         let error = given.or(Some(found.sd / found.mean));
-        Some(RecordersSpeed { speed: found.mean, error, is_of_table: true })
+        let humps = found.humps.map(|humps| {
+            humps.map(|hump| SpeedHump { sd: given.map_or(hump.sd, |share| share * hump.mean), ..hump })
+        });
+        Some(RecordersSpeed { speed: found.mean, error, is_of_table: true, humps })
     }
 
     /// ΔV: as given or, if it is not, by the pulse, provided that it ends within the record. If the case
     /// gives the place of the recorder and the yaw rate after the impact, that rate less the one `before` the
-    /// impact (rad/s, in the sense of the axes) converts the pulse's ΔV to the centre of gravity.
+    /// impact (rad/s, in the sense of the axes) converts it to the centre of gravity.
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         self.delta_v(axes, before).filter(|(_, complete)| *complete).map(|(told, _)| told)
@@ -183,16 +193,13 @@ impl Recorder {
     /// A lower bound of ΔV, if the record does not contain all of it: because it ends before the impact does,
     /// or because the recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
     ///
-    /// By a pulse, each stored component is a bound at the place of the recorder. The whole change of the yaw
+    /// Each stored component is a bound at the place of the recorder. The whole change of the yaw
     /// rate, if the case gives it, converts the bound to the centre of gravity. A component whose sign this
     /// changes is bounded by 0.
     #[must_use]
     pub fn least_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         let (told, _) = self.delta_v(axes, before).filter(|(_, complete)| !complete)?;
-        if !told.is_of_table {
-            return Some(told);
-        }
-        let [along, left] = self.stored_by_pulse()?.0;
+        let [along, left] = self.stored(axes)?.delta_v;
         let bound = |stored: Option<f64>, at_center: Option<f64>| {
             let (stored, at_center) = stored.zip(at_center)?;
             Some(if stored * at_center > 0.0 { at_center } else { 0.0 })
@@ -217,16 +224,11 @@ impl Recorder {
 
     /// ΔV, and whether the record contains all of it.
     fn delta_v(&self, axes: Axes, before: f64) -> Option<(RecordersDeltaV, bool)> {
-        if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
-            let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);
-            let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
-            return Some((RecordersDeltaV { along, left, is_of_table: false }, !self.incomplete));
-        }
-        let ([along, left], complete) = self.stored_by_pulse()?;
+        let Stored { delta_v: [along, left], complete, is_of_table } = self.stored(axes)?;
         let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si() - before));
-        let (along, left) = match (self.at, turned) {
-            (Some(at), Some(turned)) => {
-                let place = [at.x.si(), axes.lateral(at.y.si())];
+        let place = self.at.map(|at| [at.x.si(), axes.lateral(at.y.si())]);
+        let (along, left) = match (place, turned) {
+            (Some(place), Some(turned)) => {
                 // The rotation changes each part by its own amount, whether the other is known or not.
                 let known = [along, left].map(Option::unwrap_or_default);
                 let [at_along, at_left] = recorder::delta_v_at_center(known, turned, place);
@@ -234,18 +236,33 @@ impl Recorder {
             }
             _ => (along, left),
         };
-        Some((RecordersDeltaV { along, left, is_of_table: true }, complete))
+        let place = place.filter(|_| turned.is_none());
+        Some((RecordersDeltaV { along, left, is_of_table, place }, complete))
     }
 
-    /// (m/s) ΔV by the pulse at the place of the recorder, along and to the left, and whether the record
-    /// contains all of it.
-    fn stored_by_pulse(&self) -> Option<([Option<f64>; 2], bool)> {
+    /// ΔV at the place of the recorder.
+    fn stored(&self, axes: Axes) -> Option<Stored> {
+        if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
+            let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);
+            let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
+            return Some(Stored { delta_v: [along, left], complete: !self.incomplete, is_of_table: false });
+        }
         // Up to the greatest ΔV, the record is of the impact.
         let span = self.during_impact()?.span(PulseRule::GreatestDeltaV)?;
         // A recorder stores what is to the right as positive.
-        let stored = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
-        Some((stored, span.complete && !self.incomplete))
+        let delta_v = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
+        Some(Stored { delta_v, complete: span.complete && !self.incomplete, is_of_table: true })
     }
+}
+
+/// ΔV as a recorder stored it.
+struct Stored {
+    /// (m/s) along the vehicle and to its left.
+    delta_v: [Option<f64>; 2],
+    /// Whether the record contains all of it.
+    complete: bool,
+    /// Whether it follows from the pulse.
+    is_of_table: bool,
 }
 
 /// Certain limits of the speed of a vehicle before the impact.

@@ -64,7 +64,7 @@ pub use assumption::AssumptionOutOfRange;
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
     BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,
-    SpeedErrorPart, SpeedErrorSource, SteepFall,
+    SpeedErrorPart, SpeedErrorSource, SpeedHump, SteepFall,
 };
 pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange};
 pub use pulse::{

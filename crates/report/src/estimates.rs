@@ -8,11 +8,13 @@ use ::estimate::{DrawnQuantity, DrawsSummary, LEVELS, SamplerDoubt};
 use analysis::{
     Assumed, EstimatePlan, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber, UnusedReason,
 };
-use evidence::{CrushErrors, EnergyError, EnergyMethod, FITTED, MeasuredSpeed, Observed, Piece};
+use evidence::{
+    CrushErrors, EnergyError, EnergyMethod, FITTED, Measured, MeasuredSpeed, Observed, Piece, ShownSpeed,
+};
 use pim_core::VehicleId;
 
 pub(crate) use self::contradiction::{contradictions, p_value};
-use crate::units::{Measure, Units, number, significant};
+use crate::units::{Measure, Units, number, percent, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 
 /// A reader's request for an estimate.
@@ -123,7 +125,7 @@ pub(crate) fn piece_name(piece: Piece) -> String {
 /// The error that the estimate gives a piece of evidence, in words; `None` if it has none.
 pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<String> {
     let of = |id: VehicleId| &observed.vehicles[id.index()];
-    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
+    let percent = |share: f64| format!("{} %", percent(share));
     let angle = |si: f64| units.format(Measure::Angle, si);
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
     let length = |si: f64| units.format(Measure::Length, si);
@@ -159,9 +161,9 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         Piece::Rest(id) => {
             let rest = of(id).rest?;
             format!(
-                "std. dev. {} each way, heading {}: the errors of the computed path (`rest_error`, \
+                "std. dev. {} each way at the measured distance, heading {}: the errors of the computed path (`rest_error`, \
                  `rest_least_error`, `rest_heading_error` of [estimate]) and the range of the case",
-                length(rest.position_sd),
+                length(rest.position_sd()),
                 angle(rest.heading_sd)
             )
         }
@@ -169,7 +171,21 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
             let greatest = of(id).points.iter().copied().fold(0.0, f64::max);
             format!("std. dev. up to {}", length(greatest))
         }
-        Piece::RecordedSpeed(id) => speed(&of(id).recorder.speed?),
+        Piece::RecordedSpeed(id) => match of(id).recorder.speed? {
+            ShownSpeed::One(measured) => speed(&measured),
+            ShownSpeed::Either(two) => {
+                let road = |si: f64| units.format(Measure::RoadSpeed, si);
+                let [one, two] = two.map(|(probability, Measured { value, sd })| {
+                    format!(
+                        "{} (std. dev. {}) with a probability of {}",
+                        road(value),
+                        road(sd),
+                        percent(probability)
+                    )
+                });
+                format!("{one}, or {two}")
+            }
+        },
         Piece::RecordedYawRate(id) => format!("std. dev. {}", rate(of(id).recorder.yaw_rate?.sd)),
         Piece::SkidSpeed(id) => speed(&of(id).skid_speed?),
     })
@@ -203,7 +219,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let Some(method) = estimated.energies[id.index()] else { continue };
         let error = &errors[id.index()];
         let bias = error.bias;
-        let shown = significant(100.0 / error.factor(), 2);
+        let shown = percent(1.0 / error.factor());
         let times = significant(error.factor(), 3);
         let (energies, usual_error) = match method {
             EnergyMethod::Class => {
@@ -254,7 +270,7 @@ fn object_words(estimated: &Estimated, id: VehicleId) -> String {
     let key = format!("vehicle{id}.deformation_energy");
     let has_range = estimated.unknown.iter().any(|unknown| unknown.key == key);
     let error = FITTED.energy_error(EnergyMethod::OfObject, FITTED.objects.misfit, has_range);
-    let [method, own] = [error.shared_ln_sd, error.own_ln_sd].map(|ln_sd| significant(100.0 * ln_sd, 2));
+    let [method, own] = [error.shared_ln_sd, error.own_ln_sd].map(percent);
     if has_range {
         return format!(
             "The energy that deformed the object has the range that the case gives, and the method's error is \
@@ -430,7 +446,7 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
     match doubt {
         SamplerDoubt::Unfinished { temperature } => format!(
             "the sampler could use only {} % of the evidence, which is too precise for it",
-            significant(100.0 * temperature, 2)
+            percent(temperature)
         ),
         SamplerDoubt::HardlyPossible { possible, drawn, .. } => {
             format!("of {drawn} collisions drawn before the evidence, only {possible} are possible at all")
@@ -456,10 +472,10 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
         SamplerDoubt::FewAncestors(mode) => format!(
             "{} % of the draws form a separate cluster in `{key}` that draws before the evidence rarely \
             reach",
-            significant(100.0 * mode.share, 2)
+            percent(mode.share)
         ),
         SamplerDoubt::StoodStill { unmoved } => {
-            format!("{} % of the particles did not move at the end", significant(100.0 * unmoved, 2))
+            format!("{} % of the particles did not move at the end", percent(unmoved))
         }
         other => other.to_string(),
     }

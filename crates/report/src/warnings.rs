@@ -242,6 +242,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::EvidenceDiffers { vehicle, evidence, given, found } => {
             let said = |si: f64| match evidence {
                 Evident::DirectionAfter => angle(si),
+                Evident::RecordedYawRate | Evident::YawRateAfter => units.format(Measure::YawRateDegrees, si),
                 _ => speed(si),
             };
             format!(

@@ -6,7 +6,7 @@ use evidence::{CrushChange, Impacted, Impacts, LEAST_APPROACH, OtherCrush, Way};
 use inputs::{
     Axes, Basis, Case, CollisionData, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity,
 };
-use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
+use pim_core::{Law, Outcome, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
 use trajectory::{Control, FrictionZone, Ground, Outset, State, to_rests};
 
@@ -197,15 +197,19 @@ impl CaseImpacts {
         let of_motion = self.motion.as_ref().unwrap_or(&self.impact);
         let mut motions: Vec<Option<MotionInput>> = vec![None; LANES];
         for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
-            let wanted = wanted(id, &impacts);
+            let followed = wanted(id, &impacts);
             for (lane, motion) in motions.iter_mut().enumerate() {
                 let impacted = &mut impacts[lane];
-                if wanted[lane] && impacted.is_possible && motion.is_none() {
+                if followed[lane] && impacted.is_possible && motion.is_none() {
                     *motion = of_motion.of(values, lane).run_out().and_then(Result::ok);
                     impacted.is_possible = motion.is_some();
                 }
             }
-            follow(id, wanted, &motions, &mut impacts);
+            follow(id, followed, &motions, &mut impacts);
+            if motions.iter().flatten().any(|motion| has_points(motion, id)) {
+                let measured = wanted(id, &impacts);
+                measure(id, measured, &motions, &mut impacts);
+            }
         }
         impacts
     }
@@ -313,7 +317,7 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
     for ((lane, input), zones) in inputs.into_iter().zip(&zones) {
         let Some(way) = &input.vehicles[id.index()] else { continue };
         let motion = impacts[lane].outcome.after[id.index()];
-        lanes.push((lane, input));
+        lanes.push(lane);
         outsets.push(Outset {
             chassis: way.chassis,
             steer: way.steer.steer(),
@@ -324,14 +328,9 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
     let control = Control { tolerance: WAY_TOLERANCE, ..Control::default() };
     let mut rests = vec![None; outsets.len()];
     to_rests(&outsets, &control, |place, rest| rests[place] = rest.ok());
-    for ((lane, input), rest) in lanes.into_iter().zip(rests) {
+    for (lane, rest) in lanes.into_iter().zip(rests) {
         let impacted = &mut impacts[lane];
-        let start = impacted.outcome.after[id.index()];
-        let way = rest.map(|rest| Way {
-            position: rest.position,
-            heading: rest.heading,
-            misses: misses(input, id, start),
-        });
+        let way = rest.map(|rest| Way { position: rest.position, heading: rest.heading, misses: None });
         // A vehicle that does not come to rest within minutes does not lie where it was found.
         impacted.is_possible &= way.is_some();
         impacted.ways[id.index()] = way;
@@ -342,8 +341,20 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
 /// m and 10 % of the path.
 pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 
-/// (m) distance from each observed point to the path.
-fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
-    let passes = Followed::of(input, id).and_then(|of| of.passes(start, WAY_TOLERANCE).ok());
-    passes.unwrap_or_default().iter().map(|pass| pass.miss).collect()
+/// Whether the case has points that the vehicle passed.
+fn has_points(input: &MotionInput, id: VehicleId) -> bool {
+    input.vehicles[id.index()].as_ref().is_some_and(|way| !way.points.is_empty())
+}
+
+/// Measures the distance from each observed point to the path of a vehicle in the particles that are wanted.
+fn measure(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>], impacts: &mut [Impacted]) {
+    for (lane, (motion, impacted)) in motions.iter().zip(impacts).enumerate() {
+        let (Some(input), Some(way)) = (motion, &mut impacted.ways[id.index()]) else { continue };
+        if wanted[lane] {
+            let start = impacted.outcome.after[id.index()];
+            let passes = Followed::of(input, id).and_then(|of| of.passes(start, WAY_TOLERANCE).ok());
+            way.misses = passes.map(|passes| passes.iter().map(|pass| pass.miss).collect());
+            impacted.is_possible &= way.misses.is_some();
+        }
+    }
 }

@@ -686,9 +686,12 @@ impl Open {
 }
 
 /// Whether no vehicle that stood has such a recorded speed: one from a table has no error at zero, and any
-/// other is far beyond that error.
+/// other is far beyond its error.
 fn excludes_standing(told: RecordersSpeed) -> bool {
-    told.is_of_table || told.speed > MISSED * LEAST_SPEED_ERROR
+    match told.humps {
+        Some(humps) => humps.iter().all(|hump| hump.mean > MISSED * hump.sd),
+        None => told.is_of_table || told.speed > MISSED * LEAST_SPEED_ERROR,
+    }
 }
 
 /// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.

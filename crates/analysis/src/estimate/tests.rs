@@ -345,15 +345,20 @@ fn at_rest(rest: &str) -> String {
     )
 }
 
-/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured, ± 0.5 m and
-/// 10 %.
+/// The logarithm of the likelihood that 15 m were measured of a path of this length (m), ± 0.5 m and 10 % of
+/// either, by the geometric mean of both.
+fn of_15_m(way: f64) -> f64 {
+    -0.5 * (15.0 - way).powi(2) / (2.0 * (0.5 + 0.1 * way))
+}
+
+/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured.
 #[test]
 fn the_rest_tells_the_speed() {
     let estimated = run(&read(&at_rest(REST)), 128).unwrap();
     assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
     let density = |v: f64| {
         let way = (0.66 * v).powi(2) / (2.0 * 0.7 * 9.80665);
-        (-0.5 * ((15.0 - way) / 2.0).powi(2)).exp()
+        of_15_m(way).exp()
     };
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
 }
@@ -375,7 +380,7 @@ fn a_tyre_mark_is_that_of_its_wheel() {
         let impacts = evidence::Impacts::impacts(&setup.impacts, &values);
         let way = impacts[0].ways[1].as_ref().unwrap();
         assert!(way.position.x > 7.0);
-        let [found] = way.misses[..] else { panic!("{:?}", way.misses) };
+        let [found] = way.misses.as_ref().unwrap()[..] else { panic!("{:?}", way.misses) };
         assert!((found - miss).abs() < 0.01, "{wheel} {found}");
     }
 }
@@ -521,7 +526,7 @@ fn a_ground_of_one_value_has_the_error_of_such_a_value() {
     let density = |v: f64| {
         let of_factor = |z: f64| {
             let way = (0.66 * v).powi(2) / (2.0 * 0.7 * (0.10 * z).exp() * 9.80665);
-            (-0.5 * ((15.0 - way) / 2.0).powi(2) - 0.5 * z * z).exp()
+            (of_15_m(way) - 0.5 * z * z).exp()
         };
         (-50..=50).map(|k| of_factor(0.1 * f64::from(k))).sum::<f64>()
     };
@@ -563,7 +568,7 @@ fn errors_add_as_variances() {
     assert!((hour.scale.to_degrees() - 111.0_f64.sqrt()).abs() < 1e-9);
     // 0.5 m and 10 % of 15 m for the model, 5° at least for the heading.
     let exact = of_case(&at_rest(REST)).observed.vehicles[1].rest.unwrap();
-    assert!((exact.position_sd - 2.0).abs() < 1e-9 && (exact.heading_sd.to_degrees() - 5.0).abs() < 1e-9);
+    assert!((exact.position_sd() - 2.0).abs() < 1e-9 && (exact.heading_sd.to_degrees() - 5.0).abs() < 1e-9);
     let measured = REST.replace(
         "rest = { x = \"15 m\", y = \"0 m\", heading = \"0 deg\" }",
         "[vehicle2.after.rest]\nx = { value = \"15 m\", sd = \"1 m\" }\ny = { value = \"0 m\", sd = \"2 m\" }\n\
@@ -571,7 +576,7 @@ fn errors_add_as_variances() {
     );
     let measured = of_case(&at_rest(&measured)).observed.vehicles[1].rest.unwrap();
     // 2² + (1² + 2²)/2 and 5² + 8²
-    assert!((measured.position_sd - 6.5_f64.sqrt()).abs() < 1e-9, "{measured:?}");
+    assert!((measured.position_sd() - 6.5_f64.sqrt()).abs() < 1e-9, "{measured:?}");
     assert!((measured.heading_sd.to_degrees() - 89.0_f64.sqrt()).abs() < 1e-9, "{measured:?}");
 }
 
@@ -1079,8 +1084,8 @@ fn two_rests_take_few_likelihoods() {
     assert!(estimated.doubts().is_empty() && estimated.ess() >= 1000.0, "{}", estimated.ess());
     assert!(estimated.pieces.iter().all(|piece| piece.alone.is_some() && piece.without.is_some()));
     let all = estimated.posterior.diagnosis().evaluations;
-    // With the errors of the figures 530,000 to 580,000 by the seed, and without them 390,000 to 420,000.
-    assert!(all < 620_000, "{all}");
+    // 620,000 with this seed.
+    assert!(all < 680_000, "{all}");
     assert!(estimated.evaluations < 1_500_000, "{}", estimated.evaluations);
 }
 

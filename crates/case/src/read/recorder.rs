@@ -181,8 +181,9 @@ impl<'t> Reader<'t> {
             ["steady_low", "steady_sd", "tyre_sd"].map(|key| self.percent_below(table, key, MOST_SHARE));
         let [friction, coasting] =
             ["friction", "coasting"].map(|key| self.percent_below(table, key, MOST_FRICTION));
-        let [brake_comes_on, last_is_of_impact] =
-            ["brake_comes_on", "last_is_of_impact"].map(|key| self.percent_below(table, key, MOST_PROBABLE));
+        let [brake_comes_on, keeps_braking, last_is_of_impact] =
+            ["brake_comes_on", "keeps_braking", "last_is_of_impact"]
+                .map(|key| self.percent_below(table, key, MOST_PROBABLE));
         let errors = GivenSpeedErrors {
             step,
             steady_low,
@@ -193,6 +194,7 @@ impl<'t> Reader<'t> {
             friction,
             coasting,
             brake_comes_on,
+            keeps_braking,
             latency,
             last_is_of_impact,
         };

@@ -455,10 +455,12 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         percent(errors.tyre_sd),
     ));
     table.note(format!(
-        "From the last speed to the impact: any deceleration up to {} g with the brake on, within ± {} g \
+        "From the last speed to the impact: any deceleration up to {} g with the brake on, but if it is on in \
+         the last two samples, with a probability of {} % the one that these show, within 0.1 g; within ± {} g \
          with it off. {} A stored \
          speed is up to {} s old. Each is a key of `errors`.",
         number(errors.friction, 2),
+        number(100.0 * errors.keeps_braking, 0),
         number(errors.coasting / STANDARD_GRAVITY, 2),
         brake(found),
         number(errors.latency, 2),

@@ -1,17 +1,14 @@
 //! How a vehicle left the impact, and its rest position.
 
-use evidence::{Measured, MeasuredRest, PostImpactMotion};
+use evidence::{Measured, MeasuredRest, PlaceError, PostImpactMotion};
 use inputs::{Quantity, VehicleMotion};
 use pim_core::Vector2;
 use real::Real;
 
 use super::{DEGREE, Subject, measured_speed};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
-use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
+use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR, yaw_rate_error};
 
-/// (–; rad/s) error of a yaw rate after the impact: a share of it, and the minimum, that of a slow turn.
-const YAW_RATE_SHARE: f64 = 0.2;
-const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
 /// (–; m) error of the simulated rest position: a share of the path length, and the minimum.
 const REST_SHARE: f64 = 0.10;
 const REST_LEAST: f64 = 0.5;
@@ -62,23 +59,21 @@ pub(super) fn rest(
     let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
     let rest = way.rest.as_ref().map(|rest| {
         let surveyed = ["after.rest.x", "after.rest.y"].map(|of| subject.sd(of).unwrap_or_default());
-        let model = far(rest.position);
         let heading = rest.heading.heading(way.heading);
         let turns_are_known = rest.heading.turns_are_known();
         let turned = heading - way.heading;
         let turned = if turns_are_known { turned } else { real::principal_angle(turned) };
-        let [least, most] = REST_HEADING;
-        let usual = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
+        let [slight, most] = REST_HEADING;
+        let usual = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), slight), most);
         let model_heading = given.rest_heading_error.as_ref().map_or(usual, Quantity::si);
         let own = ["after.rest.heading", "after.rest.turned"]
             .iter()
             .find_map(|of| subject.sd(of))
             .unwrap_or_default();
-        let apart = rest.position - way.position;
         MeasuredRest {
             position: rest.position,
-            direction: real::elementary::atan2(apart.y, apart.x),
-            position_sd: both(model, surveyed),
+            impact: way.position,
+            error: PlaceError { least, share, survey: both(0.0, surveyed) },
             heading,
             turns_are_known,
             heading_sd: Real::sqrt(model_heading * model_heading + own * own),
@@ -94,9 +89,4 @@ pub(super) fn rest(
     let has_usual_heading = given.rest_heading_error.is_none() && way.rest.is_some();
     notes.default_error(has_usual_heading, "estimate.rest_heading_error".to_owned());
     (rest, points.collect())
-}
-
-/// (rad/s) the default error of a yaw rate after the impact (rad/s).
-pub(super) fn yaw_rate_error(rate: f64) -> f64 {
-    Real::max(YAW_RATE_SHARE * rate.abs(), YAW_RATE_LEAST)
 }

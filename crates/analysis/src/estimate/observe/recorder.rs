@@ -2,14 +2,13 @@
 
 use evidence::{
     CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedData, RecordedDeltaV, RecordedPart,
-    RecorderPlace,
+    RecorderPlace, ShownSpeed,
 };
 use inputs::Quantity;
 
-use super::after::yaw_rate_error;
 use super::{LEAST_SPEED_ERROR, Subject};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
-use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR};
+use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, yaw_rate_error};
 
 /// The recorder data of a vehicle, with the errors that the case gives or the default ones. `is_side` is true
 /// if the vehicle was hit on a side.
@@ -49,11 +48,16 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
     });
-    let speed = recorder.tells_speed(subject.case.ground_friction()).map(|told| MeasuredSpeed {
-        value: told.speed,
-        ln_sd: or_default("recorder.speed_error", told.error, RECORDER_SPEED_ERROR),
-        // The table has its own rounding; a number may have been rounded again.
-        least: if told.is_of_table { 0.0 } else { LEAST_SPEED_ERROR },
+    let speed = recorder.tells_speed(subject.case.ground_friction()).map(|told| match told.humps {
+        Some(humps) => ShownSpeed::Either(
+            humps.map(|hump| (hump.probability, Measured { value: hump.mean, sd: hump.sd })),
+        ),
+        None => ShownSpeed::One(MeasuredSpeed {
+            value: told.speed,
+            ln_sd: or_default("recorder.speed_error", told.error, RECORDER_SPEED_ERROR),
+            // The table has its own rounding; a number may have been rounded again.
+            least: if told.is_of_table { 0.0 } else { LEAST_SPEED_ERROR },
+        }),
     });
     let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
         let value = axes.lateral(rate.si());
@@ -72,11 +76,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         let key = if recorder.pulse.is_some() { "recorder.pulse" } else { "recorder.delta_v_lateral" };
         notes.unused.push(Unused { key: subject.key(key), reason: UnusedReason::OnlyLateral });
     }
-    // With the yaw rate that the recorder stored, its ΔV is already that of the CG.
-    let is_there = told.is_some_and(|told| told.is_of_table) && yaw_rate.is_none();
-    let place = recorder.at.filter(|_| is_there).map(|at| {
-        let at = [at.x.si(), axes.lateral(at.y.si())];
-        RecorderPlace { at, yaw_rate: axes.lateral(before) }
-    });
+    let place = told.and_then(|told| told.place);
+    let place = place.map(|at| RecorderPlace { at, yaw_rate: axes.lateral(before) });
     RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }
 }
