@@ -97,7 +97,7 @@ fn an_answer_is_compared_at_the_place_of_the_recorder() {
     let exchange = analysis.exchange().unwrap();
     let ([along, left], turned) = (exchange.delta_v_components[0], exchange.yaw_rates[0].unwrap());
     assert!(turned.abs() > 1.0, "{turned}");
-    for (x, y) in [(-1.2, 0.3), (1.0, -0.5), (0.0, 0.0)] {
+    for (x, y) in [(-1.8, 0.3), (1.7, -0.5), (0.0, 0.0)] {
         // V = v + Ω × r
         let [there, across] = [along - turned * y, left + turned * x].map(|si| si * 3.6);
         let at = format!("at = {{ x = \"{x} m\", y = \"{y} m\" }}\n");
