@@ -446,7 +446,7 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
     match doubt {
         SamplerDoubt::Unfinished { temperature } => format!(
             "the sampler could use only {} % of the evidence, which is too precise for it",
-            percent(temperature)
+            percent(*temperature)
         ),
         SamplerDoubt::HardlyPossible { possible, drawn, .. } => {
             format!("of {drawn} collisions drawn before the evidence, only {possible} are possible at all")
@@ -475,7 +475,7 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
             percent(mode.share)
         ),
         SamplerDoubt::StoodStill { unmoved } => {
-            format!("{} % of the particles did not move at the end", percent(unmoved))
+            format!("{} % of the particles did not move at the end", percent(*unmoved))
         }
         other => other.to_string(),
     }
