@@ -118,6 +118,13 @@ impl<'a> Page<'a> {
                  method itself are taken as exact. `deltav estimate` includes their errors, too."
             ));
         }
+        if nominal.skids.iter().any(Option::is_some) {
+            lines.push(
+                "The speed where skid marks before the impact begin is not among the results here: `deltav \
+                 estimate` gives its interval."
+                    .to_owned(),
+            );
+        }
         lines.extend(self.failures());
         lines.extend(self.doubts());
         self.document.push(Block::List(lines));
