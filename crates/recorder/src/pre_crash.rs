@@ -264,6 +264,18 @@ fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceB
     sums(at_least, at_most)
 }
 
+/// The distance in `gap` (s) from a stored speed to one (m/s) that was not stored but inferred.
+fn open_end(gap: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceBounds {
+    let (left, right) = (first * gap, last * gap);
+    DistanceBounds {
+        at_least: falling(first.min(last) - limits.rounding, limits.deceleration, gap),
+        left,
+        between: 0.5 * (left + right),
+        right,
+        at_most: rising(first.max(last) + limits.rounding, limits.acceleration, gap),
+    }
+}
+
 impl PreCrash {
     /// A record of these samples.
     ///
@@ -396,6 +408,24 @@ impl PreCrash {
             found.push((points[k].0, sum));
         }
         found.reverse();
+        found
+    }
+
+    /// The distance from each sample with a speed to the impact at 0, the earliest first, with its time (s);
+    /// the last is the impact itself.
+    ///
+    /// From the last speed to the impact the deceleration is constant for `between`, and leads to the speed
+    /// `at_impact` (m/s). The bounds there let the speed change by the limits, from the last stored speed or
+    /// to that at the impact.
+    #[must_use]
+    pub fn distances_to_impact(&self, at_impact: f64, limits: &SpeedLimits) -> Vec<(f64, DistanceBounds)> {
+        let mut found = self.distances_to_last(limits);
+        let Some((last, speed)) = self.speeds().last().filter(|(last, _)| last.time < 0.0) else {
+            return found;
+        };
+        let gap = open_end(0.0 - last.time, [speed, at_impact], limits);
+        found.iter_mut().for_each(|(_, sum)| *sum = sum.plus(gap));
+        found.push((0.0, DistanceBounds::default()));
         found
     }
 }

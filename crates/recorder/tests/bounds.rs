@@ -4,7 +4,7 @@
 
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use proptest::test_runner::Config;
-use recorder::{Channel, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, read_tables};
+use recorder::{Channel, DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, read_tables};
 
 /// (s) within this step the acceleration of a trace is constant.
 const FINE: f64 = 0.05;
@@ -119,6 +119,38 @@ fn bounds_of_two_equal_speeds() {
     assert!((bounds.left - 20.0).abs() < 1e-12 && (bounds.right - 20.0 + 9.80665).abs() < 1e-12);
     assert!((bounds.between - only).abs() < 1e-12);
     assert_eq!(braked.steep_changes(&limits), []);
+}
+
+/// From 60 km/h at −0.5 s to 54 km/h at the impact: 0.5 s at 16.667 and 15 m/s. At the least, 1 g of braking
+/// from 53.5 km/h, 14.861 · 0.5 − g/8; at the most 1 g forward from 60.5 km/h, 16.806 · 0.5 + g/8.
+#[test]
+fn the_distance_to_the_impact_includes_the_gap() {
+    let sample = |time: f64| PreCrashSample { time, speed: Some(60.0 / 3.6), ..PreCrashSample::default() };
+    let limits = SpeedLimits::default();
+    let early = PreCrash::new(vec![sample(-1.5), sample(-0.5)]).unwrap();
+    let found = early.distances_to_impact(15.0, &limits);
+    assert_eq!(found.iter().map(|(time, _)| *time).collect::<Vec<_>>(), [-1.5, -0.5, 0.0]);
+    let gap = found[1].1;
+    for (sum, by_hand) in [
+        (gap.at_least, 6.204_7),
+        (gap.right, 7.5),
+        (gap.between, 7.916_67),
+        (gap.left, 8.333_33),
+        (gap.at_most, 9.628_6),
+    ] {
+        assert!((sum - by_hand).abs() < 1e-4, "{sum} {by_hand}");
+    }
+    let to_last = early.distances_to_last(&limits)[0].1;
+    assert!((found[0].1.between - to_last.between - gap.between).abs() < 1e-12, "{found:?}");
+    assert!((found[0].1.at_most - to_last.at_most - gap.at_most).abs() < 1e-12, "{found:?}");
+    assert_eq!(found[2].1, DistanceBounds::default());
+    // Wheels that locked read 0, while the vehicle went on: the bounds contain both.
+    let locked = PreCrash::new(vec![PreCrashSample { speed: Some(0.0), ..sample(-0.5) }]).unwrap();
+    let gap = locked.distances_to_impact(15.0, &limits)[0].1;
+    assert!(gap.at_least == 0.0 && gap.at_most > gap.right && gap.right == 7.5, "{gap:?}");
+    // Without a gap, it is the distance to the last sample.
+    let whole = PreCrash::new(vec![sample(-1.0), sample(0.0)]).unwrap();
+    assert_eq!(whole.distances_to_impact(15.0, &limits), whole.distances_to_last(&limits));
 }
 
 /// A fall of 15 m/s in a second is more than tyres can do. It may have happened in the last instant, after a

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use analysis::{OfImpact, RecorderReading, VehicleReading};
+use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::CaseFile;
 use pim_core::VehicleId;
-use recorder::{ImpactSpeed, PreCrash, PulseSpan, RecorderTable, force_direction};
+use recorder::{ImpactSpeed, PulseSpan, RecorderTable, force_direction};
 use serde_json::{Value, json};
 
 use super::csv::CsvStyle;
@@ -35,7 +35,8 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 /// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"record": {"probability": …,
 /// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
-/// {"ends_before_impact": …, "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to
+/// {"ends_before_impact": …, "spans": […]}}, null]}`. The last of the samples is the impact, at time 0; its
+/// speed is the median of that at the impact unless `speed_is_stored`. SI and radians; lateral ΔV of the pulse is positive to
 /// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left, as is
 /// `least_delta_v_at_center`, its lower bound by a record that does not hold all of the impact.
 ///
@@ -49,8 +50,9 @@ pub fn recorders_json(file: &CaseFile, reading: &RecorderReading) -> Result<Stri
     pretty(&identified(file, document))
 }
 
-/// Writes the samples before the impact as CSV, a row for each sample of each vehicle: the path over time for
-/// other programs, in SI units and radians; the impact is at 0.
+/// Writes the path to the impact as CSV for other programs, a row for each sample of each vehicle before the
+/// impact and one for the impact itself: in SI units and radians, the impact at time 0 and distance 0. Speeds
+/// and distances are by the wheels: slip is corrected only in a speed at the impact that was not stored.
 ///
 /// # Errors
 /// Those of the output.
@@ -67,19 +69,15 @@ fn vehicle(id: VehicleId, found: &VehicleReading) -> Value {
     let recorder = &found.recorder;
     let tables = recorder.pre_crash.iter().flat_map(|given| &given.tables);
     let tables = tables.chain(recorder.pulse.iter().flat_map(|given| &given.tables));
-    let samples = recorder.before_impact().map(PreCrash::samples).unwrap_or_default();
-    let distance = |time: f64| {
-        let (_, bounds) = found.distances.iter().find(|(at, _)| *at == time)?;
-        Some(object! { bounds.{at_least, left, between, right, at_most} })
-    };
     json!({
         "record": which(&found.of_impact.key(id), &found.of_impact),
         "other_records": list(&found.others, |other| vehicle(id, other)),
         "recognised": list(tables, table),
         "speed_at_impact": found.speed.as_ref().map(speed),
-        "samples": list(samples, |one| object! {
-            one.{time, speed, brake, abs, accelerator, throttle, engine_speed, steering, yaw_rate},
-            "distance": distance(one.time),
+        "samples": list(&found.path, |PathPoint { sample, speed_is_stored, distance }| object! {
+            sample.{time, speed, brake, abs, accelerator, throttle, engine_speed, steering, yaw_rate},
+            "speed_is_stored": speed_is_stored,
+            "distance": distance.map(|bounds| object! { bounds.{at_least, left, between, right, at_most} }),
         }),
         "pulse": pulse(found),
     })
@@ -155,20 +153,17 @@ fn pulse(found: &VehicleReading) -> Option<Value> {
     }))
 }
 
-/// The columns of a record as CSV: one row for each sample of each vehicle, in SI units and radians; the
-/// impact is at 0.
+/// The columns of the path as CSV: one row for each point of each vehicle, in SI units and radians; the impact
+/// is at 0.
 fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
     let header = "vehicle,time,speed,brake,abs,accelerator,throttle,engine_speed,steering,yaw_rate,\
-                  distance,distance_at_least,distance_at_most";
+                  distance,distance_at_least,distance_at_most,speed_is_stored";
     let mut rows = vec![header.split(',').map(str::to_owned).collect()];
     for id in VehicleId::ALL {
-        let Some(found) = &reading.vehicles[id.index()] else { continue };
-        let record = found.recorder.before_impact();
-        for sample in record.map(PreCrash::samples).unwrap_or_default() {
+        let path = reading.vehicles[id.index()].iter().flat_map(|found| &found.path);
+        for PathPoint { sample, speed_is_stored, distance } in path {
             let value = |si: Option<f64>| si.map_or_else(String::new, |si| si.to_string());
             let switch = |on: Option<bool>| on.map_or_else(String::new, |on| u8::from(on).to_string());
-            let bounds =
-                found.distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| *bounds);
             rows.push(vec![
                 id.number().to_string(),
                 sample.time.to_string(),
@@ -180,9 +175,10 @@ fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
                 value(sample.engine_speed),
                 value(sample.steering),
                 value(sample.yaw_rate),
-                value(bounds.map(|bounds| bounds.between)),
-                value(bounds.map(|bounds| bounds.at_least)),
-                value(bounds.map(|bounds| bounds.at_most)),
+                value(distance.map(|bounds| bounds.between)),
+                value(distance.map(|bounds| bounds.at_least)),
+                value(distance.map(|bounds| bounds.at_most)),
+                switch(*speed_is_stored),
             ]);
         }
     }

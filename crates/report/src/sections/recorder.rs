@@ -1,10 +1,10 @@
 //! The readings of the recorders of a case on their own.
 
-use analysis::{OfImpact, RecorderReading, VehicleReading};
+use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch,
+    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PreCrashSample, PulseRule, PulseSpan, RecordMatch,
     RecorderTable, SpeedErrorSource, force_direction,
 };
 
@@ -104,15 +104,20 @@ fn is_of_center(found: &VehicleReading) -> bool {
 /// The common clock of both records, and which of them end before time 0.
 fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
-        .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
-        .filter(|(_, time)| *time < 0.0)
+        .filter_map(|(id, found)| Some((id, last_before_impact(found)?)))
         .map(|(id, time)| format!("the last speed of vehicle {id} is at {} s", number(time, 2)))
         .collect();
     let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
     format!(
-        "0 is the impact for both records{early}. The distance is to the last sample of each, linear between \
-         its samples."
+        "Time 0 and distance 0 are the impact for both records{early}. The speed is linear between the samples, \
+         and from the last of them to the impact. Wheel slip is not corrected here, as it is in `deltav avoid`."
     )
+}
+
+/// (s) the time of the last stored speed, if it is before the impact.
+fn last_before_impact(found: &VehicleReading) -> Option<f64> {
+    let speed = found.speed.as_ref()?;
+    (speed.time < 0.0).then_some(speed.time)
 }
 
 /// The heading of the choice among records.
@@ -280,8 +285,8 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     let (Some(table), Some(record)) = (given.tables.first(), &given.record) else { return };
     page.push(part(found, "Before the impact"));
     recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
-    page.push(samples(record, found, units));
-    if found.distances.is_empty() {
+    page.push(samples(found, units));
+    if record.speeds().next().is_none() {
         page.paragraph(
             "No sample has a speed: the record gives neither a distance nor a speed at the impact.",
         );
@@ -293,11 +298,18 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
         "are exact".to_owned()
     };
     page.paragraph(format!(
-        "The distance is to the last sample. It lies between \"at least\" and \"at most\" if the speed changes \
+        "The distance is to the impact. It lies between \"at least\" and \"at most\" if the speed changes \
          by at most 1 g either way and the stored values {rounding}. \"Left\" holds each speed until the next \
          sample and \"right\" from the one before; \"between\" is linear. A speed that reads low, as in \
          braking, makes all of them too short.",
     ));
+    if let Some(time) = last_before_impact(found) {
+        page.paragraph(format!(
+            "The last speed was stored at {} s. The row at 0 s has the median of the speed at the impact below; \
+             from the last stored speed to it, \"between\" is linear.",
+            number(time, 2)
+        ));
+    }
     steep(page, found);
     if let Some(speed) = &found.speed {
         page.push(account(speed, found, units));
@@ -346,13 +358,13 @@ fn steep(page: &mut Document, found: &VehicleReading) {
     ));
 }
 
-/// The samples, with the distance from each to the last.
-fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
+/// The samples and the impact, with the distance from each to the impact.
+fn samples(found: &VehicleReading, units: Units) -> Table {
     let (speed, length) = (units.name(Measure::RoadSpeed), units.name(Measure::Length));
-    let samples = record.samples();
+    let samples: Vec<&PreCrashSample> = found.path.iter().map(|point| &point.sample).collect();
     let mut columns = vec![Column::numbers("time", 7).unit("s"), Column::numbers("speed", 8).unit(speed)];
     // Columns that the record does not have are omitted.
-    let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
+    let has = |of: fn(&PreCrashSample) -> bool| samples.iter().any(|one| of(one));
     let shown = [
         has(|one| one.brake.is_some()),
         has(|one| one.abs.is_some()),
@@ -373,7 +385,7 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
     let decimals = usize::from(pedals().any(|percent| percent.fract() != 0.0));
     let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
-    for sample in samples {
+    for PathPoint { sample, distance, .. } in &found.path {
         let mut cells = vec![number(sample.time, 2)];
         cells.push(sample.speed.map_or(NONE.to_owned(), |si| units.plain(Measure::RoadSpeed, si)));
         let optional = [
@@ -386,8 +398,7 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
             sample.steering.map_or(NONE.to_owned(), |angle| number(angle.to_degrees(), 1)),
         ];
         cells.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(cell, _)| cell));
-        let bounds = found.distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| bounds);
-        let parts = bounds.map(|one| [one.at_least, one.right, one.between, one.left, one.at_most]);
+        let parts = distance.map(|one| [one.at_least, one.right, one.between, one.left, one.at_most]);
         let metres = |si: f64| number(units.value(Measure::Length, si), 1);
         cells.extend(parts.map_or_else(|| vec![NONE.to_owned(); 5], |parts| parts.map(metres).to_vec()));
         table.cells(cells);
