@@ -40,8 +40,8 @@
 //!
 //! # Guarantees
 //!
-//! - The distance driven lies within [`DistanceBounds`], whatever the speed does between samples, as long
-//!   as it keeps [`SpeedLimits`].
+//! - The distance by the speed of the wheels lies within [`DistanceBounds`], whatever that speed does between
+//!   samples, as long as it keeps [`SpeedLimits`]. Slip of the wheels makes the distance driven longer.
 //! - A table is read or refused with a place; no number is guessed.
 //! - The same input gives the same bits on every machine.
 //!

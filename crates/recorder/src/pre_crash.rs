@@ -148,10 +148,12 @@ impl Default for SpeedLimits {
     }
 }
 
-/// (m) a distance between two samples: bounds that always hold, and the three sums that practice prints.
+/// (m) a distance between two samples by the speed of the wheels: its bounds, and the three sums that practice
+/// prints. Where the wheels slip, as in braking, the vehicle moves farther, and may move farther than
+/// `at_most`.
 ///
-/// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
-/// the speed need be neither monotonic nor straight. Where two samples differ by more than those limits allow
+/// `at_least` and `at_most` hold for every course of the wheel speed that keeps [`SpeedLimits`]: between
+/// samples it need be neither monotonic nor straight. Where two samples differ by more than those limits allow
 /// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The
 /// sums `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not
 /// rounded.

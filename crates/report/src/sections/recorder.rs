@@ -298,10 +298,11 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
         "are exact".to_owned()
     };
     page.paragraph(format!(
-        "The distance is to the impact. It lies between \"at least\" and \"at most\" if the speed changes \
-         by at most 1 g either way and the stored values {rounding}. \"Left\" holds each speed until the next \
-         sample and \"right\" from the one before; \"between\" is linear. A speed that reads low, as in \
-         braking, makes all of them too short.",
+        "The distance is to the impact, by the speed of the wheels. That distance lies between \"at least\" and \
+         \"at most\" if the speed changes by at most 1 g either way and the stored values {rounding}. \"Left\" \
+         holds each speed until the next sample and \"right\" from the one before; \"between\" is linear. \
+         Wheels that slip, as in braking, read low: the vehicle then drove farther, and may have driven \
+         farther than \"at most\".",
     ));
     if let Some(time) = last_before_impact(found) {
         page.paragraph(format!(
