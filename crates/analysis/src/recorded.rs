@@ -10,8 +10,9 @@ use inputs::{
 };
 use pim_core::VehicleId;
 use recorder::{
-    DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch, PreCrash,
-    PreCrashSample, PulseRule, PulseSpan, RecordMatch, SpeedLimits, SteepChange, match_records,
+    DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
+    PreCrash, PreCrashSample, PulseRule, PulseSpan, RecordMatch, SpeedLimits, SteepChange, StepSource,
+    match_records,
 };
 
 use crate::damage;
@@ -39,6 +40,8 @@ pub struct VehicleReading {
     pub speed: Option<ImpactSpeed>,
     /// The errors that it was found with.
     pub errors: ImpactSpeedErrors,
+    /// How the step in which the speeds are stored was found; `None` if the case states it, or has no speeds.
+    pub step_source: Option<StepSource>,
     /// The path to the impact: the samples before it, and the impact itself.
     pub path: Vec<PathPoint>,
     /// Where the speed changes between two samples by more than the bounds of the distance allow.
@@ -407,6 +410,7 @@ fn reading(
     VehicleReading {
         of_impact,
         others: Vec::new(),
+        step_source: record.filter(|_| recorder.errors.step.is_none()).map(PreCrash::step_source),
         path: record.map(|record| path(record, at_impact, &limits)).unwrap_or_default(),
         speed,
         errors,

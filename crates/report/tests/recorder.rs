@@ -166,6 +166,36 @@ fn the_headline_is_the_median_and_the_account_the_mean() {
     assert!(words.contains("median at the impact: as above 60.0 "), "{text}");
 }
 
+/// The step is that of the speeds, unless the case states one.
+#[test]
+fn the_report_says_how_the_step_was_found() {
+    let told = |speeds: &str, errors: &str| {
+        let text = format!(
+            "[vehicle1.recorder]\npre_crash = {{ time = \"-5 -4 -3 -2 -1 0 s\", speed = \"{speeds}\" }}\n{errors}"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let reading = analysis::recorders(&file.case).unwrap();
+        let json: Value = serde_json::from_str(&report::recorders_json(&file, &reading).unwrap()).unwrap();
+        let text = report::recorders(&file, &reading, Units::Si).text();
+        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        (
+            words,
+            json["vehicles"][0]["step"].as_f64().unwrap() * 3.6,
+            json["vehicles"][0]["step_source"].clone(),
+        )
+    };
+    let fives = "70 65 60 55 50 45 km/h";
+    for (speeds, errors, words, step, source) in [
+        (fives, "", "to 5.0 km/h (all 6 different speeds are multiples of it)", 5.0, "multiples"),
+        (fives, "errors = { step = \"1 km/h\" }\n", "to 1.0 km/h (`step` of the case)", 1.0, "case"),
+        ("70 65 61 55 50 45 km/h", "", "to 1.0 km/h (the step of 49 CFR 563, as", 1.0, "regular"),
+    ] {
+        let (text, found, how) = told(speeds, errors);
+        assert!(text.contains(&format!("Rounding: {words}")), "{text}");
+        assert!((found - step).abs() < 1e-9 && how == source, "{found} {how}");
+    }
+}
+
 /// The command that evaluates recorders alone is listed where a recorder has a table: a file that was not
 /// read prevents it, and stored numbers do not need it.
 #[test]

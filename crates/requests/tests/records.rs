@@ -77,8 +77,8 @@ fn both_paths_end_at_the_impact() {
     answer.write_samples(CsvStyle::International, &mut csv).unwrap();
     let csv = String::from_utf8(csv).unwrap();
     let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
-    let [time, distance, is_stored] =
-        ["time", "distance", "speed_is_stored"].map(|name| rows[0].iter().position(|own| *own == name).unwrap());
+    let [time, distance, is_stored] = ["time", "distance", "speed_is_stored"]
+        .map(|name| rows[0].iter().position(|own| *own == name).unwrap());
     let at = |vehicle: &str| rows.iter().filter(|row| row[0] == vehicle).collect::<Vec<_>>();
     let (one, two) = (at("1"), at("2"));
     for path in [&one, &two] {

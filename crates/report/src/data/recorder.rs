@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::CaseFile;
 use pim_core::VehicleId;
-use recorder::{ImpactSpeed, PulseSpan, RecorderTable, force_direction};
+use recorder::{ImpactSpeed, PulseSpan, RecorderTable, StepSource, force_direction};
 use serde_json::{Value, json};
 
 use super::csv::CsvStyle;
@@ -35,7 +35,8 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 /// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"record": {"probability": …,
 /// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
-/// {"ends_before_impact": …, "spans": […]}}, null]}`. The last of the samples is the impact, at time 0; its
+/// {"ends_before_impact": …, "spans": […]}}, null]}`. `step` is that of the stored speeds, and `step_source`
+/// says how it was found: `"case"`, `"regular"`, `"unit"`, `"multiples"` or `"miles"`. The last of the samples is the impact, at time 0; its
 /// speed is the median of that at the impact unless `speed_is_stored`. SI and radians; lateral ΔV of the pulse is positive to
 /// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left, as is
 /// `least_delta_v_at_center`, its lower bound by a record that does not hold all of the impact.
@@ -73,6 +74,8 @@ fn vehicle(id: VehicleId, found: &VehicleReading) -> Value {
         "record": which(&found.of_impact.key(id), &found.of_impact),
         "other_records": list(&found.others, |other| vehicle(id, other)),
         "recognised": list(tables, table),
+        "step": found.speed.as_ref().map(|_| found.errors.step),
+        "step_source": found.speed.as_ref().map(|_| found.step_source.map_or("case", StepSource::key)),
         "speed_at_impact": found.speed.as_ref().map(speed),
         "samples": list(&found.path, |PathPoint { sample, speed_is_stored, distance }| object! {
             sample.{time, speed, brake, abs, accelerator, throttle, engine_speed, steering, yaw_rate},

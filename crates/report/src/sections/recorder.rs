@@ -4,8 +4,8 @@ use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PreCrashSample, PulseRule, PulseSpan, RecordMatch,
-    RecorderTable, SpeedErrorSource, force_direction,
+    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PreCrashSample, PulseRule, PulseSpan,
+    RecordMatch, RecorderTable, SpeedErrorSource, StepSource, force_direction,
 };
 
 use super::chosen::or_none;
@@ -456,10 +456,11 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
     table.note(format!(
-        "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a \
+        "Rounding: to {} ({}). Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a \
          2010 Ford Flex against GPS), and in between by the deceleration before the last sample, less engine \
          braking if the brake is off. Tyres: ± {} %.",
         kmh(errors.step),
+        step_source(found),
         percent(errors.steady_low),
         percent(errors.steady_sd),
         kmh(errors.slip_low),
@@ -479,6 +480,19 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         table.note("The stored speed may be that of the impact itself: see below.");
     }
     table
+}
+
+/// How the step in which speeds are stored was found.
+fn step_source(found: &VehicleReading) -> String {
+    match found.step_source {
+        None => "`step` of the case".to_owned(),
+        Some(StepSource::Regular) => "the step of 49 CFR 563, as the speeds show no other".to_owned(),
+        Some(StepSource::Unit) => "all speeds are whole numbers of their unit".to_owned(),
+        Some(StepSource::Multiples(count)) => format!("all {count} different speeds are multiples of it"),
+        Some(StepSource::Miles(count)) => {
+            format!("all {count} different speeds are whole miles per hour, converted")
+        }
+    }
 }
 
 /// The assumption about the brake between the last speed and the impact.
