@@ -183,7 +183,7 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
     };
     let turned = case.vehicles[id.index()].yaw_rate_before();
-    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, turned, &impact)).collect();
+    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, turned)).collect();
     let mut impacts: Vec<KnownImpact> = recorder.other_impacts.iter().map(OtherImpact::known).collect();
     let place = recorder.other_impacts.partition_point(|other| !other.after);
     impacts.insert(place, impact);

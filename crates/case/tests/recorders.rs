@@ -174,7 +174,7 @@ fn a_record_shows_where_its_force_came_from() {
     for (axes, sense) in [("", 1.0), ("[scene]\naxes = \"z-down\"\n", -1.0)] {
         let file = CaseFile::parse("case.toml", &format!("{axes}{}", of(lines))).unwrap();
         let record = file.case.vehicles[0].recorder.as_ref().unwrap().record(0).unwrap();
-        let event = record.event(file.case.axes, 0.0, &recorder::KnownImpact::default());
+        let event = record.event(file.case.axes, 0.0);
         assert!((event.delta_v.unwrap() * 3.6 - 25.0).abs() < 1e-9 && event.complete, "{event:?}");
         let direction = event.force_direction.unwrap().to_degrees();
         assert!((direction - sense * 16.260_204_7).abs() < 1e-6, "{direction}");

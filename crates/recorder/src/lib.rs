@@ -76,4 +76,4 @@ pub use table::{
     Apart, CellDoubt, LeftTable, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal,
 };
 pub use text::{columns_table, read_rows, read_tables};
-pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};
+pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, OneAxis, RecordMatch, match_records};

@@ -5,14 +5,15 @@ use std::io::{self, Write};
 use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::CaseFile;
 use pim_core::VehicleId;
-use recorder::{ImpactSpeed, PulseSpan, RecorderTable, StepSource, force_direction};
+use recorder::{ImpactSpeed, OneAxis, PulseSpan, RecorderTable, StepSource, force_direction};
 use serde_json::{Value, json};
 
 use super::csv::CsvStyle;
 use super::{identified, list, object, pretty, title};
 use crate::sections::recorder::verdict;
 
-/// A record, and whether it is of the impact of the case.
+/// A record, and whether it is of the impact of the case. With an `axis`, `delta_v` is the size of the part
+/// along it, and `pdof` is null.
 pub(super) fn which(key: &str, found: &OfImpact) -> Value {
     let OfImpact { since_previous, event, impact, probability, is_taken, other, .. } = found;
     json!({
@@ -23,6 +24,10 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
         "since_previous": since_previous,
         "delta_v": event.delta_v,
         "pdof": event.force_direction,
+        "axis": event.one_axis.map(|axis| match axis {
+            OneAxis::Longitudinal(_) => "longitudinal",
+            OneAxis::Lateral(_) => "lateral",
+        }),
         "complete": event.complete,
         "impact_delta_v": impact.delta_v,
         "impact_pdof": impact.force_direction,

@@ -4,8 +4,8 @@ use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PreCrashSample, PulseRule, PulseSpan,
-    RecordMatch, RecorderTable, SpeedErrorSource, StepSource, force_direction,
+    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, OneAxis, PreCrash, PreCrashSample, PulseRule,
+    PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource, StepSource, force_direction,
 };
 
 use super::chosen::or_none;
@@ -170,7 +170,7 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         table.row([
             place.map_or_else(|| "1".to_owned(), |place| place.to_string()),
             or_none(since_previous.map(|time| number(time, 2))),
-            or_none(delta_v.map(|delta_v| format!("{bound}{delta_v}"))),
+            or_none(delta_v.map(|delta_v| format!("{bound}{delta_v}{}", axis(event.one_axis)))),
             or_none(event.force_direction.map(degrees)),
             verdict(&one.of_impact),
         ]);
@@ -191,15 +191,31 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         };
         format!(
             "The damage shows {}.{by_plane} The records are compared with it, with errors (standard \
-             deviations) of {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no \
-             impact listed here.",
+             deviations) of {}° in direction, and more where the rounding of a small ΔV blurs it, and {} % in \
+             ΔV. A record that is not complete holds any share of the ΔV; {} % of all records are assumed to be \
+             of no impact listed here.",
             known.join(" and "),
             degrees(errors.direction),
             number(100.0 * errors.size, 0),
             number(100.0 * errors.of_none, 0),
         )
     });
+    if in_order(found).iter().any(|one| one.of_impact.event.one_axis.is_some()) {
+        table.note(
+            "x: along the vehicle only, y: across it only. Such a record shows no PDOF; it is compared with the \
+             part of the impact along its axis.",
+        );
+    }
     page.push(table);
+}
+
+/// The mark of a ΔV along one axis.
+fn axis(one_axis: Option<OneAxis>) -> &'static str {
+    match one_axis {
+        Some(OneAxis::Longitudinal(_)) => " x",
+        Some(OneAxis::Lateral(_)) => " y",
+        None => "",
+    }
 }
 
 /// The leading span: that to the largest ΔV.
