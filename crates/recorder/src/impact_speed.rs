@@ -396,7 +396,7 @@ impl Leg {
 }
 
 /// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of a
-/// sample and from how fast the stored speed fell (m/s²) since the sample before, if that is known.
+/// sample and from how fast the stored speed fell to it (m/s²), if that is known.
 fn slips(
     sample: &PreCrashSample,
     before: Option<&PreCrashSample>,
@@ -426,6 +426,19 @@ fn slips(
             [on / 2.0, on / 3.0 - on * on / 4.0]
         }
     }
+}
+
+/// (m/s²) how fast the stored speed fell to the sample at this place: over the half second before it in which
+/// the brake was as it is there, or at least since the sample before. Over a tenth of a second, the steps in
+/// which speeds are stored hide the deceleration.
+fn slowed(points: &[(&PreCrashSample, f64)], k: usize) -> Option<f64> {
+    let (sample, speed) = points[k];
+    let is_near = |(one, _): &&(&PreCrashSample, f64)| {
+        one.brake == sample.brake && sample.time - one.time < HALF_SECOND * (1.0 + 1e-9)
+    };
+    let earlier = &points[..k];
+    let (before, first) = earlier.iter().rev().take_while(is_near).last().or(earlier.last())?;
+    Some((first - speed) / (sample.time - before.time))
 }
 
 /// The speed of a vehicle when a sample was stored.
@@ -478,10 +491,9 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
         points.truncate(fallen.first);
     }
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
-        // The first is judged by the one after it.
-        let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
         let before = k.checked_sub(1).map(|before| points[before].0);
-        let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
+        // The first is judged by the one after it.
+        let slowed = slowed(&points, k).or_else(|| (points.len() > 1).then(|| slowed(&points, 1)).flatten());
         let [slip, slip_sd] = slip(*stored, slips(sample, before, slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
         // The wheels of a vehicle at rest did not slip.
@@ -555,7 +567,7 @@ impl ImpactSpeed {
         let leg = |k: usize| {
             let (sample, stored) = points[k];
             let before = k.checked_sub(1).map(|before| points[before].0);
-            let hard = slips(sample, before, fall(k), errors);
+            let hard = slips(sample, before, slowed(&points, k), errors);
             let courses = brake_courses(record, sample.time, errors);
             Leg { stored, gap: 0.0 - sample.time, hard, courses }
         };
