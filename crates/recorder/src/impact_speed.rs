@@ -80,6 +80,8 @@ pub enum SpeedErrorSource {
     Latency,
     /// The last speed fell by more than the ground allows: it may be of the impact itself.
     LastSample,
+    /// Speeds below 0, by braking or rounding, are cut off: the vehicle did not go backward.
+    CutOff,
 }
 
 impl SpeedErrorSource {
@@ -93,6 +95,7 @@ impl SpeedErrorSource {
             Self::Gap => "braking between the last sample and the impact",
             Self::Latency => "age of the stored speed",
             Self::LastSample => "whether the last sample is of the impact itself",
+            Self::CutOff => "cut off at 0: it did not go backward",
         }
     }
 
@@ -106,6 +109,7 @@ impl SpeedErrorSource {
             Self::Gap => "gap",
             Self::Latency => "latency",
             Self::LastSample => "last_sample",
+            Self::CutOff => "cut_off",
         }
     }
 }
@@ -117,7 +121,7 @@ pub struct SpeedErrorPart {
     pub source: SpeedErrorSource,
     /// (m/s) its shift of the mean.
     pub shift: f64,
-    /// (m²/s²) its part of the variance. The parts add up to the whole.
+    /// (m²/s²) its part of the variance. The parts add up to the whole; what is cut off at 0 narrows it.
     pub variance: f64,
 }
 
@@ -584,9 +588,17 @@ impl ImpactSpeed {
                 Some(SteepFall { deceleration, time: sample.time, speed, is_slip, probability: doubt });
             legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(first - 1))];
         }
-        let parts = parts(&legs, errors);
-        let draws = draws(&legs, errors);
+        let mut parts = parts(&legs, errors);
+        let speeds = speeds(&legs, errors);
+        let is_cut = speeds.iter().any(|speed| *speed < 0.0);
+        let draws = Draws::new(speeds.into_iter().map(|speed| speed.max(0.0) + 0.0).collect());
         let [mean, sd] = draws.moments();
+        if is_cut {
+            let sum = |of: fn(&SpeedErrorPart) -> f64| parts.iter().map(of).sum::<f64>();
+            let shift = mean - stored - sum(|part| part.shift);
+            let variance = sd * sd - sum(|part| part.variance);
+            parts.push(SpeedErrorPart { source: SpeedErrorSource::CutOff, shift, variance });
+        }
         let (time, brake) = (last.time, last.brake);
         Ok(Self { time, stored, brake, deceleration, mean, sd, parts, steep_fall, draws })
     }
@@ -640,7 +652,8 @@ fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart>
     all
 }
 
-fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
+/// (m/s) evenly spread speeds at the impact. One below 0 is that of a vehicle that stopped before.
+fn speeds(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<f64> {
     let draw = |k: u32| {
         let point = radical_point(k);
         let mut share = point[5];
@@ -652,8 +665,7 @@ fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
             }
             share -= weight;
         }
-        // No vehicle drives backward into its record.
-        chosen.draw(&point, errors).max(0.0) + 0.0
+        chosen.draw(&point, errors)
     };
-    Draws::new((0..POINTS).map(draw).collect())
+    (0..POINTS).map(draw).collect()
 }

@@ -213,6 +213,24 @@ fn a_vehicle_that_stands_stands() {
     assert_eq!((error.name, error.greatest), ("friction", 1.5));
 }
 
+/// From 10 km/h, a second of any braking up to 0.75 g stops the car more often than not. The parts, with what is
+/// cut off at 0, are the mean and the variance.
+#[test]
+fn the_parts_of_a_car_that_may_have_stopped_add_up() {
+    let slow = record(&[(-1.5, 10.0, Some(true)), (-1.0, 10.0, Some(true))]);
+    let found = ImpactSpeed::of(&slow, &ImpactSpeedErrors::default()).unwrap();
+    let shift: f64 = found.parts.iter().map(|part| part.shift).sum();
+    let variance: f64 = found.parts.iter().map(|part| part.variance).sum();
+    assert!((found.stored + shift - found.mean).abs() < 1e-9, "{found:?}");
+    assert!((variance - found.sd * found.sd).abs() < 1e-9, "{found:?}");
+    let cut = found.parts.last().unwrap();
+    assert!(cut.source == SpeedErrorSource::CutOff && cut.shift > 0.5 && cut.variance < 0.0, "{found:?}");
+    // 50 km/h are never used up.
+    let fast = record(&[(-1.5, 50.0, Some(true)), (-1.0, 50.0, Some(true))]);
+    let found = ImpactSpeed::of(&fast, &ImpactSpeedErrors::default()).unwrap();
+    assert!(found.parts.iter().all(|part| part.source != SpeedErrorSource::CutOff), "{found:?}");
+}
+
 /// Braking at 4 m/s² with a sample every tenth of a second: in steps of 5 km/h the last fall is 0 or 50 km/h in
 /// a second, and that over half a second is near 4 m/s², or 14.4 km/h. Brakes that came on later count alone.
 #[test]

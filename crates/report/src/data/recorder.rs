@@ -3,14 +3,14 @@
 use std::io::{self, Write};
 
 use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
-use case::CaseFile;
+use case::{Axes, CaseFile, RecordersDeltaV};
 use pim_core::VehicleId;
 use recorder::{ImpactSpeed, OneAxis, PulseSpan, RecorderTable, StepSource, force_direction};
 use serde_json::{Value, json};
 
 use super::csv::CsvStyle;
 use super::{identified, list, object, pretty, title};
-use crate::sections::recorder::verdict;
+use crate::sections::recorder::{is_of_center, leading, verdict};
 
 /// A record, and whether it is of the impact of the case. With an `axis`, `delta_v` is the size of the part
 /// along it, and `pdof` is null.
@@ -41,17 +41,22 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 /// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
 /// {"ends_before_impact": …, "spans": […]}}, null]}`. `step` is that of the stored speeds, and `step_source`
-/// says how it was found: `"case"`, `"regular"`, `"unit"`, `"multiples"` or `"miles"`. The last of the samples is the impact, at time 0; its
-/// speed is the median of that at the impact unless `speed_is_stored`. SI and radians; lateral ΔV of the pulse is positive to
-/// the right, as in recorders, and `delta_v_at_center` is along the vehicle and to its left, as is
-/// `least_delta_v_at_center`, its lower bound by a record that does not hold all of the impact.
+/// says how it was found: `"case"`, `"regular"`, `"unit"`, `"multiples"` or `"miles"`. The last of the samples is
+/// the impact, at time 0; its speed is the median of that at the impact unless `speed_is_stored`. SI and
+/// radians.
+///
+/// `longitudinal` and `lateral` of the pulse are as stored: to the right if positive, whatever the axes of the
+/// case. `delta_v_at_recorder` and `delta_v_at_center` are [along the vehicle, across it] in the axes of the
+/// case, as `delta_v_lateral` of other answers is. That at the centre of gravity needs `at` and `yaw_rate`, and
+/// is null without. If the record does not hold all of the impact, there are lower bounds instead:
+/// `least_delta_v_at_recorder` and `least_delta_v_at_center`.
 ///
 /// # Errors
 /// If serialisation fails, which no record causes.
 pub fn recorders_json(file: &CaseFile, reading: &RecorderReading) -> Result<String, serde_json::Error> {
     let case = &file.case;
-    let vehicles =
-        VehicleId::ALL.map(|id| reading.vehicles[id.index()].as_ref().map(|found| vehicle(id, found)));
+    let vehicles = VehicleId::ALL
+        .map(|id| reading.vehicles[id.index()].as_ref().map(|found| vehicle(id, case.axes, found)));
     let document = json!({ "title": title(case), "axes": case.axes.name(), "vehicles": vehicles });
     pretty(&identified(file, document))
 }
@@ -71,13 +76,13 @@ pub fn write_records(reading: &RecorderReading, style: CsvStyle, out: &mut dyn W
     Ok(())
 }
 
-fn vehicle(id: VehicleId, found: &VehicleReading) -> Value {
+fn vehicle(id: VehicleId, axes: Axes, found: &VehicleReading) -> Value {
     let recorder = &found.recorder;
     let tables = recorder.pre_crash.iter().flat_map(|given| &given.tables);
     let tables = tables.chain(recorder.pulse.iter().flat_map(|given| &given.tables));
     json!({
         "record": which(&found.of_impact.key(id), &found.of_impact),
-        "other_records": list(&found.others, |other| vehicle(id, other)),
+        "other_records": list(&found.others, |other| vehicle(id, axes, other)),
         "recognised": list(tables, table),
         "step": found.speed.as_ref().map(|_| found.errors.step),
         "step_source": found.speed.as_ref().map(|_| found.step_source.map_or("case", StepSource::key)),
@@ -87,7 +92,7 @@ fn vehicle(id: VehicleId, found: &VehicleReading) -> Value {
             "speed_is_stored": speed_is_stored,
             "distance": distance.map(|bounds| object! { bounds.{at_least, left, between, right, at_most} }),
         }),
-        "pulse": pulse(found),
+        "pulse": pulse(axes, found),
     })
 }
 
@@ -133,8 +138,18 @@ fn speed(speed: &ImpactSpeed) -> Value {
     })
 }
 
-fn pulse(found: &VehicleReading) -> Option<Value> {
+fn pulse(axes: Axes, found: &VehicleReading) -> Option<Value> {
     let pulse = found.recorder.during_impact()?;
+    let across = |left: f64| axes.lateral(left);
+    let stored = |complete: bool| {
+        let span = leading(&found.spans).filter(|span| span.complete == complete)?;
+        let [along, right] = span.delta_v;
+        Some([along, right.map(|right| across(-right))])
+    };
+    let at_center = |told: Option<RecordersDeltaV>| {
+        let told = told.filter(|_| is_of_center(found))?;
+        Some([told.along, told.left.map(across)])
+    };
     let span = |span: &PulseSpan| {
         json!({
             "rule": span.rule.key(),
@@ -150,8 +165,10 @@ fn pulse(found: &VehicleReading) -> Option<Value> {
     Some(json!({
         "ends_before_impact": found.is_cut,
         "spans": list(&found.spans, span),
-        "delta_v_at_center": found.delta_v.map(|told| [told.along, told.left]),
-        "least_delta_v_at_center": found.least_delta_v.map(|told| [told.along, told.left]),
+        "delta_v_at_recorder": stored(true),
+        "delta_v_at_center": at_center(found.delta_v),
+        "least_delta_v_at_recorder": stored(false),
+        "least_delta_v_at_center": at_center(found.least_delta_v),
         "accelerations": list(pulse.accelerations(), |(time, [longitudinal, lateral])| json!({
             "time": time,
             "longitudinal": longitudinal,

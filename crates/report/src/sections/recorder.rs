@@ -5,7 +5,7 @@ use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
     BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, OneAxis, PreCrash, PreCrashSample, PulseRule,
-    PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource, StepSource, force_direction,
+    PulseSpan, RecordMatch, RecorderTable, SpeedErrorPart, SpeedErrorSource, StepSource, force_direction,
 };
 
 use super::chosen::or_none;
@@ -97,7 +97,7 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
 }
 
 /// Whether the recorder is away from the centre of gravity, and the case has the data to convert ΔV to there.
-fn is_of_center(found: &VehicleReading) -> bool {
+pub(crate) fn is_of_center(found: &VehicleReading) -> bool {
     found.recorder.at.is_some() && found.recorder.yaw_rate.is_some()
 }
 
@@ -219,7 +219,7 @@ fn axis(one_axis: Option<OneAxis>) -> &'static str {
 }
 
 /// The leading span: that to the largest ΔV.
-fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
+pub(crate) fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
     spans.iter().find(|span| span.rule == PulseRule::GreatestDeltaV)
 }
 
@@ -423,9 +423,6 @@ fn samples(found: &VehicleReading, units: Units) -> Table {
     table
 }
 
-/// (–) if a mean is this many standard deviations above 0, hardly a draw is cut off at 0.
-const SURELY: f64 = 4.0;
-
 /// The speed at impact, and the sources of its error.
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
     let unit = units.name(Measure::RoadSpeed);
@@ -443,26 +440,18 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         NONE.to_owned(),
         NONE.to_owned(),
     ]);
-    for part in &speed.parts {
+    // Hardly anything may be cut off.
+    let is_nothing = |part: &SpeedErrorPart| {
+        let [shift, zero] = [part.shift, 0.0].map(|shift| units.signed(Measure::RoadSpeed, shift));
+        part.source == SpeedErrorSource::CutOff && shift == zero
+    };
+    for part in speed.parts.iter().filter(|part| !is_nothing(part)) {
         let share = if whole > 0.0 { part.variance / whole } else { 0.0 };
         table.row([
             part.source.name().to_owned(),
             units.signed(Measure::RoadSpeed, part.shift),
-            plain(part.variance.sqrt()),
+            if part.variance < 0.0 { NONE.to_owned() } else { plain(part.variance.sqrt()) },
             number(100.0 * share, 0),
-        ]);
-    }
-    // The parts are computed before numbers below 0, due to braking or rounding, are cut off.
-    let uncut = speed.stored + speed.parts.iter().map(|part| part.shift).sum::<f64>();
-    let cut = speed.mean - uncut;
-    if uncut < SURELY * whole.sqrt()
-        && units.signed(Measure::RoadSpeed, cut) != units.signed(Measure::RoadSpeed, 0.0)
-    {
-        table.row([
-            "cut off at 0: it did not go backward".to_owned(),
-            units.signed(Measure::RoadSpeed, cut),
-            NONE.to_owned(),
-            NONE.to_owned(),
         ]);
     }
     table.row(["mean at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
