@@ -234,6 +234,17 @@ fn the_report_says_how_the_step_was_found() {
     }
 }
 
+/// The threshold of the text is that of the weight: a fall of 1.13 g is rare, one of more than 1.2 g no tyre's.
+#[test]
+fn a_steep_fall_has_one_threshold() {
+    let text = "[vehicle1.recorder]\npre_crash = { time = \"-1 -0.5 0 s\", speed = \"80 78 57 km/h\", brake = \"on on on\" }\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("Few tyres do that, and none more than 1.2 g"), "{text}");
+    assert!(words.contains("more than 1 g, and none by more than 1.2 g"), "{text}");
+}
+
 /// Two records of one axis: their ΔV is marked, and they have no PDOF.
 #[test]
 fn a_record_of_one_axis_is_marked() {

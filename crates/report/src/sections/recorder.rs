@@ -368,10 +368,11 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         })
         .collect();
     page.paragraph(format!(
-        "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped \
-         again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
+        "The stored speed changes by more than 1 g: {}. Few tyres do that, and none more than {} g: the \
+         wheels probably slipped or gripped again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
          limit it to 1 g only in the other direction.",
-        places.join(", ")
+        places.join(", "),
+        number(BEYOND_TYRES / STANDARD_GRAVITY, 1)
     ));
 }
 
