@@ -665,13 +665,16 @@ impl PyCase {
     }
 
     /// What the event data recorders give on their own: the speed at impact with its error, the distance
-    /// travelled between samples, the pulse.
+    /// to it from each sample, the pulse.
     ///
     /// Returns
     /// -------
     /// Result
     ///     With ``vehicles``, a record or ``None`` for each: ``recognised``, ``speed_at_impact``,
-    ///     ``samples`` and ``pulse``; SI units.
+    ///     ``samples`` and ``pulse``; SI units. The last of the samples is the impact, at time 0. Of the pulse,
+    ///     ``longitudinal`` and ``lateral`` are as stored, lateral to the right; ``delta_v_at_recorder`` and
+    ///     ``delta_v_at_center`` are along the vehicle and across it in the axes of the case, the latter
+    ///     ``None`` unless the case has ``at`` and ``yaw_rate``.
     ///
     /// Raises
     /// ------

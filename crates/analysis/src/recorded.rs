@@ -11,7 +11,8 @@ use inputs::{
 use pim_core::VehicleId;
 use recorder::{
     DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
-    PulseRule, PulseSpan, RecordMatch, SpeedLimits, SteepChange, match_records,
+    PreCrash, PreCrashSample, PulseRule, PulseSpan, RecordMatch, SpeedLimits, SteepChange, StepSource,
+    match_records,
 };
 
 use crate::damage;
@@ -39,8 +40,10 @@ pub struct VehicleReading {
     pub speed: Option<ImpactSpeed>,
     /// The errors that it was found with.
     pub errors: ImpactSpeedErrors,
-    /// For each sample with a speed its time (s) and the distance from there to the last of them.
-    pub distances: Vec<(f64, DistanceBounds)>,
+    /// How the step in which the speeds are stored was found; `None` if the case states it, or has no speeds.
+    pub step_source: Option<StepSource>,
+    /// The path to the impact: the samples before it, and the impact itself.
+    pub path: Vec<PathPoint>,
     /// Where the speed changes between two samples by more than the bounds of the distance allow.
     pub steep: Vec<SteepChange>,
     /// The impact in the pulse by each rule that finds one.
@@ -53,6 +56,18 @@ pub struct VehicleReading {
     pub least_delta_v: Option<RecordersDeltaV>,
     /// (rad) principal direction of force of the pulse over time (s), clockwise from the front.
     pub force_directions: Vec<(f64, f64)>,
+}
+
+/// A sample before the impact, or the impact itself, with the distance that is left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint {
+    /// The stored data. If the last speed was stored before the impact, the point at time 0 has the median of
+    /// the speed at the impact.
+    pub sample: PreCrashSample,
+    /// Whether its speed was stored, rather than being that median; `None` without a speed.
+    pub speed_is_stored: Option<bool>,
+    /// From here to the impact; `None` without a speed.
+    pub distance: Option<DistanceBounds>,
 }
 
 /// Whether a record is of the impact of the case.
@@ -168,7 +183,7 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
     };
     let turned = case.vehicles[id.index()].yaw_rate_before();
-    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, turned, &impact)).collect();
+    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, turned)).collect();
     let mut impacts: Vec<KnownImpact> = recorder.other_impacts.iter().map(OtherImpact::known).collect();
     let place = recorder.other_impacts.partition_point(|other| !other.after);
     impacts.insert(place, impact);
@@ -357,6 +372,28 @@ fn spans(recorder: &Recorder) -> Vec<PulseSpan> {
     found.map(|span| PulseSpan { complete: span.complete && !recorder.incomplete, ..span }).collect()
 }
 
+/// The path to the impact by the samples before it and the median of the speed at the impact (m/s); without
+/// that, no point has a distance.
+fn path(record: &PreCrash, at_impact: Option<f64>, limits: &SpeedLimits) -> Vec<PathPoint> {
+    let distances = at_impact.map(|speed| record.distances_to_impact(speed, limits)).unwrap_or_default();
+    let point = |sample: &PreCrashSample| PathPoint {
+        sample: *sample,
+        speed_is_stored: sample.speed.map(|_| true),
+        distance: distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| *bounds),
+    };
+    let mut path: Vec<PathPoint> = record.samples().iter().map(point).collect();
+    let Some((_, distance)) = distances.last() else { return path };
+    // A sample at the impact that has a brake, for example, but no speed.
+    let of_impact = path.pop_if(|last| last.sample.time == 0.0);
+    let sample = of_impact.map_or_else(PreCrashSample::default, |point| point.sample);
+    path.push(PathPoint {
+        sample: PreCrashSample { speed: sample.speed.or(at_impact), ..sample },
+        speed_is_stored: Some(sample.speed.is_some()),
+        distance: Some(*distance),
+    });
+    path
+}
+
 fn reading(
     recorder: Recorder,
     of_impact: OfImpact,
@@ -368,12 +405,15 @@ fn reading(
     let errors = recorder.speed_errors(ground);
     let limits = SpeedLimits::stored_in(errors.step);
     let [delta_v, least_delta_v] = delta_v.map(|told| told.filter(|told| told.is_of_table));
+    let speed = recorder.impact_speed(ground);
+    let at_impact = speed.as_ref().map(|speed| speed.quantile(0.5));
     VehicleReading {
         of_impact,
         others: Vec::new(),
-        speed: recorder.impact_speed(ground),
+        step_source: record.filter(|_| recorder.errors.step.is_none()).map(PreCrash::step_source),
+        path: record.map(|record| path(record, at_impact, &limits)).unwrap_or_default(),
+        speed,
         errors,
-        distances: record.map(|record| record.distances_to_last(&limits)).unwrap_or_default(),
         steep: record.map(|record| record.steep_changes(&limits)).unwrap_or_default(),
         spans: spans(&recorder),
         is_cut: pulse.is_some_and(recorder::CrashPulse::is_cut),

@@ -313,6 +313,34 @@ fn the_bound_of_a_cut_record_is_taken_to_the_centre() {
     }
 }
 
+/// From 60 km/h at −0.5 s, with the brake off in every sample: to the impact, 0.5 s at the mean of 60 km/h and
+/// the median of the speed at the impact. A brake at 0 s is kept in the point of the impact.
+#[test]
+fn the_path_ends_at_the_impact() {
+    let path = |lines: &str| {
+        let lines = format!("pre_crash = {{ {lines} }}");
+        let reading = recorders(&head_on(&lines).case).unwrap().vehicles[0].clone().unwrap();
+        (reading.path, reading.speed.unwrap().quantile(0.5))
+    };
+    let early = "time = \"-2.5 -1.5 -0.5 s\", speed = \"60 60 60 km/h\", brake = \"off off off\"";
+    let (points, median) = path(early);
+    let [first, .., last, impact] = &points[..] else { panic!("{points:?}") };
+    let left = 0.5 * 0.5 * (60.0 / 3.6 + median);
+    assert!((last.distance.unwrap().between - left).abs() < 1e-9, "{last:?} {left}");
+    assert!((first.distance.unwrap().between - left - 2.0 * 60.0 / 3.6).abs() < 1e-9, "{first:?}");
+    assert_eq!((last.speed_is_stored, impact.speed_is_stored), (Some(true), Some(false)));
+    assert_eq!((impact.sample.time, impact.sample.speed), (0.0, Some(median)));
+    assert_eq!((impact.distance.unwrap().at_most, impact.sample.brake), (0.0, None));
+    let brake = "time = \"-1 -0.5 0 s\", speed = \"60 60 - km/h\", brake = \"off off on\"";
+    let (points, median) = path(brake);
+    let impact = points[2].sample;
+    assert_eq!((points.len(), impact.brake, impact.speed), (3, Some(true), Some(median)));
+    // A speed that was stored at 0 s stays.
+    let (points, _) = path(&brake.replace("60 60 -", "60 60 57"));
+    assert_eq!((points.len(), points[2].speed_is_stored), (3, Some(true)));
+    assert!((points[2].sample.speed.unwrap() - 57.0 / 3.6).abs() < 1e-12);
+}
+
 /// Whole miles: ±0.5 mph instead of ±0.5 km/h over 2 s, or the step in `errors.step`.
 #[test]
 fn the_step_of_the_speeds_counts_in_the_distance() {
@@ -321,7 +349,7 @@ fn the_step_of_the_speeds_counts_in_the_distance() {
             "pre_crash = {{ time = \"-2 -1 0 s\", speed = \"{speeds}\", brake = \"off off off\" }}\n{errors}"
         );
         let reading = recorders(&head_on(&lines).case).unwrap().vehicles[0].clone().unwrap();
-        let (_, bounds) = reading.distances[0];
+        let bounds = reading.path[0].distance.unwrap();
         (bounds.at_most - bounds.at_least, reading.errors.step)
     };
     let (none, zero) = width("60 58 55 mph", "errors = { step = \"0 km/h\" }");

@@ -166,6 +166,23 @@ fn several_records_are_read_and_written_back() {
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
 
+/// A probability may be 0 or 1; more is none.
+#[test]
+fn a_probability_may_be_certain() {
+    for key in ["brake_comes_on", "last_is_of_impact"] {
+        let of_percent = |percent: &str| {
+            let lines = format!("{PASTED}\nerrors = {{ {key} = \"{percent} %\" }}");
+            CaseFile::parse("case.toml", &of(&lines)).map(drop).map_err(|errors| errors.to_string())
+        };
+        for percent in ["0", "100"] {
+            of_percent(percent).unwrap();
+        }
+        for percent in ["-1", "100.1"] {
+            assert!(of_percent(percent).unwrap_err().contains("from 0 to 100"), "{key} {percent}");
+        }
+    }
+}
+
 /// Pushed to the left by 7 and back by 24 km/h, the force came from the right of the front: atan(7/24) =
 /// 16.26° clockwise, and the size is 25 km/h; with the other axes from the left.
 #[test]
@@ -174,7 +191,7 @@ fn a_record_shows_where_its_force_came_from() {
     for (axes, sense) in [("", 1.0), ("[scene]\naxes = \"z-down\"\n", -1.0)] {
         let file = CaseFile::parse("case.toml", &format!("{axes}{}", of(lines))).unwrap();
         let record = file.case.vehicles[0].recorder.as_ref().unwrap().record(0).unwrap();
-        let event = record.event(file.case.axes, 0.0, &recorder::KnownImpact::default());
+        let event = record.event(file.case.axes, 0.0);
         assert!((event.delta_v.unwrap() * 3.6 - 25.0).abs() < 1e-9 && event.complete, "{event:?}");
         let direction = event.force_direction.unwrap().to_degrees();
         assert!((direction - sense * 16.260_204_7).abs() < 1e-6, "{direction}");

@@ -225,9 +225,9 @@ pub(crate) enum Question {
         before_help = "Reads the table of a recorder from the case, from a CSV beside it, or as copied from \
                        a printed report (`pre_crash` and `pulse` of [vehicle1.recorder]). Prints what each \
                        heading was \
-            taken for, and each cell without a value with its place; the distance between the samples, with \
-            bounds that always hold; the speed at impact with its interval and what its error comes from; \
-            where the pulse begins and ends, its ΔV, and whether the record ends before the impact does. \
+            taken for, and each cell without a value with its place; the distance to the impact by the speed \
+            of the wheels, with its bounds (slip makes the true distance longer); the speed at impact with \
+            its interval and what its error comes from; where the pulse begins and ends, its ΔV, and whether the record ends before the impact does. \
             If there are several records (`records`), it says which is of this impact. HTML adds the curves.",
         after_help = "Examples:\n  deltav new --template recorder -o case.toml\n  \
             deltav recorder fixtures/recorder.toml\n  \

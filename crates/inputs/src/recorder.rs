@@ -214,12 +214,12 @@ impl Recorder {
         Some(Self { at: self.at, errors: self.errors, ..stored })
     }
 
-    /// The data of its record that distinguish impacts, compared with this one; `before` as in
+    /// The data of its record that distinguish impacts; `before` as in
     /// [`tells_delta_v`](Self::tells_delta_v).
     #[must_use]
-    pub fn event(&self, axes: Axes, before: f64, impact: &KnownImpact) -> EventRecord {
+    pub fn event(&self, axes: Axes, before: f64) -> EventRecord {
         let Some((told, complete)) = self.delta_v(axes, before) else { return EventRecord::default() };
-        EventRecord::new([told.along, told.left.map(|left| -left)], complete, impact)
+        EventRecord::new([told.along, told.left.map(|left| -left)], complete)
     }
 
     /// ΔV, and whether the record contains all of it.

@@ -87,6 +87,8 @@ pub enum SpeedErrorSource {
     Latency,
     /// The last speed fell by more than the ground allows: it may be of the impact itself.
     LastSample,
+    /// Speeds below 0, by braking or rounding, are cut off: the vehicle did not go backward.
+    CutOff,
 }
 
 impl SpeedErrorSource {
@@ -100,6 +102,7 @@ impl SpeedErrorSource {
             Self::Gap => "braking between the last sample and the impact",
             Self::Latency => "age of the stored speed",
             Self::LastSample => "whether the last sample is of the impact itself",
+            Self::CutOff => "cut off at 0: it did not go backward",
         }
     }
 
@@ -113,6 +116,7 @@ impl SpeedErrorSource {
             Self::Gap => "gap",
             Self::Latency => "latency",
             Self::LastSample => "last_sample",
+            Self::CutOff => "cut_off",
         }
     }
 }
@@ -124,7 +128,7 @@ pub struct SpeedErrorPart {
     pub source: SpeedErrorSource,
     /// (m/s) its shift of the mean.
     pub shift: f64,
-    /// (m²/s²) its part of the variance. The parts add up to the whole.
+    /// (m²/s²) its part of the variance. The parts add up to the whole; what is cut off at 0 narrows it.
     pub variance: f64,
 }
 
@@ -442,7 +446,7 @@ impl Leg {
 }
 
 /// (1) slip of the wheels as a share of that in hard braking, mean and variance, from the switches of a
-/// sample and from how fast the stored speed fell (m/s²) since the sample before, if that is known.
+/// sample and from how fast the stored speed fell to it (m/s²), if that is known.
 fn slips(
     sample: &PreCrashSample,
     before: Option<&PreCrashSample>,
@@ -472,6 +476,21 @@ fn slips(
             [on / 2.0, on / 3.0 - on * on / 4.0]
         }
     }
+}
+
+/// (m/s²) how fast the stored speed fell to the sample at this place: over the half second before it in which
+/// the brake was as it is there, or at least since the sample before. Over a tenth of a second, the steps in
+/// which speeds are stored hide the deceleration.
+fn slowed(points: &[(&PreCrashSample, f64)], k: usize) -> Option<f64> {
+    let (sample, speed) = points[k];
+    let is_near = |(one, _): &&(&PreCrashSample, f64)| {
+        one.brake == sample.brake && sample.time - one.time < HALF_SECOND * (1.0 + 1e-9)
+    };
+    let earlier = &points[..k];
+    let fall = |(before, first): &(&PreCrashSample, f64)| (first - speed) / (sample.time - before.time);
+    let window = earlier.iter().rev().take_while(is_near).last().map(fall);
+    // A steeper fall is not that of the vehicle.
+    window.filter(|fall| *fall <= GRAVITY).or_else(|| earlier.last().map(fall))
 }
 
 /// The speed of a vehicle when a sample was stored.
@@ -527,10 +546,9 @@ fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpe
         points.truncate(fallen.first);
     }
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
-        // The first is judged by the one after it.
-        let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
         let before = k.checked_sub(1).map(|before| points[before].0);
-        let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
+        // The first is judged by the one after it.
+        let slowed = slowed(&points, k).or_else(|| (points.len() > 1).then(|| slowed(&points, 1)).flatten());
         let [slip, slip_sd] = slip(*stored, slips(sample, before, slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
         // The wheels of a vehicle at rest did not slip.
@@ -604,11 +622,12 @@ impl ImpactSpeed {
         let leg = |k: usize| {
             let (sample, stored) = points[k];
             let before = k.checked_sub(1).map(|before| points[before].0);
-            let hard = slips(sample, before, fall(k), errors);
+            let shown = slowed(&points, k);
+            let hard = slips(sample, before, shown, errors);
             let braked = |place: usize| points[place].0.brake == Some(true);
             // A steeper fall is not that of the vehicle.
-            let shown = fall(k).filter(|fall| *fall <= GRAVITY && braked(k) && braked(k - 1));
-            let courses = brake_courses(record, sample.time, shown, errors);
+            let kept = shown.filter(|fall| *fall <= GRAVITY && braked(k) && braked(k - 1));
+            let courses = brake_courses(record, sample.time, kept, errors);
             Leg { stored, gap: 0.0 - sample.time, hard, courses }
         };
         let end = points.len() - 1;
@@ -630,9 +649,17 @@ impl ImpactSpeed {
             }
             _ => None,
         };
-        let parts = parts(&legs, errors);
-        let draws = draws(&legs, errors);
+        let mut parts = parts(&legs, errors);
+        let speeds = speeds(&legs, errors);
+        let is_cut = speeds.iter().any(|speed| *speed < 0.0);
+        let draws = Draws::new(speeds.into_iter().map(|speed| speed.max(0.0) + 0.0).collect());
         let [mean, sd] = draws.moments();
+        if is_cut {
+            let sum = |of: fn(&SpeedErrorPart) -> f64| parts.iter().map(of).sum::<f64>();
+            let shift = mean - stored - sum(|part| part.shift);
+            let variance = sd * sd - sum(|part| part.variance);
+            parts.push(SpeedErrorPart { source: SpeedErrorSource::CutOff, shift, variance });
+        }
         let (time, brake) = (last.time, last.brake);
         Ok(Self { time, stored, brake, deceleration, mean, sd, parts, steep_fall, humps, draws })
     }
@@ -686,7 +713,8 @@ fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart>
     all
 }
 
-fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
+/// (m/s) evenly spread speeds at the impact. One below 0 is that of a vehicle that stopped before.
+fn speeds(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<f64> {
     let draw = |k: u32| {
         let point = radical_point(k);
         let mut share = point[5];
@@ -698,8 +726,7 @@ fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
             }
             share -= weight;
         }
-        // No vehicle drives backward into its record.
-        chosen.draw(&point, errors).max(0.0) + 0.0
+        chosen.draw(&point, errors)
     };
-    Draws::new((0..POINTS).map(draw).collect())
+    (0..POINTS).map(draw).collect()
 }

@@ -40,8 +40,8 @@
 //!
 //! # Guarantees
 //!
-//! - The distance driven lies within [`DistanceBounds`], whatever the speed does between samples, as long
-//!   as it keeps [`SpeedLimits`].
+//! - The distance by the speed of the wheels lies within [`DistanceBounds`], whatever that speed does between
+//!   samples, as long as it keeps [`SpeedLimits`]. Slip of the wheels makes the distance driven longer.
 //! - A table is read or refused with a place; no number is guessed.
 //! - The same input gives the same bits on every machine.
 //!
@@ -66,7 +66,9 @@ pub use impact_speed::{
     BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,
     SpeedErrorPart, SpeedErrorSource, SpeedHump, SteepFall,
 };
-pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange};
+pub use pre_crash::{
+    DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, StepSource,
+};
 pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };
@@ -74,4 +76,4 @@ pub use table::{
     Apart, CellDoubt, LeftTable, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal,
 };
 pub use text::{columns_table, read_rows, read_tables};
-pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};
+pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, OneAxis, RecordMatch, match_records};

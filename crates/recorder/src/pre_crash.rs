@@ -2,7 +2,7 @@
 
 use crate::assumption::{AssumptionOutOfRange, in_ranges};
 use crate::channel::{Channel, GRAVITY, MPH};
-use crate::table::{RecorderTable, TableColumn};
+use crate::table::RecorderTable;
 
 /// The data that a recorder stored for one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,36 +31,75 @@ pub struct PreCrashSample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreCrash {
     samples: Vec<PreCrashSample>,
-    step: f64,
+    step: (f64, StepSource),
 }
 
 /// (m/s) step in which speeds are stored by 49 CFR 563 and UN R160: 1 km/h.
 pub(crate) const REGULAR_STEP: f64 = 1.0 / 3.6;
 
-/// (m/s) the step of a column of speeds: one of its unit if all its values are whole numbers of it.
-fn step_of(column: &TableColumn) -> Option<f64> {
-    let is_whole = |speed: &f64| {
-        let number = speed / column.unit.factor;
-        (number - number.round()).abs() < 1e-6
-    };
-    let mut speeds = column.values.iter().flatten().peekable();
-    (speeds.peek().is_some() && speeds.all(is_whole)).then_some(column.unit.factor)
+/// How the step in which speeds are stored was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepSource {
+    /// It is the one of 49 CFR 563 and UN R160, 1 km/h: the speeds show no other.
+    Regular,
+    /// All speeds are whole numbers of the unit of their column.
+    Unit,
+    /// All of this many different speeds are multiples of it.
+    Multiples(usize),
+    /// All of this many different speeds, in km/h, are whole miles per hour, converted and rounded.
+    Miles(usize),
 }
 
-/// (m/s) the step in which these speeds are stored: 1 mph, if tables in km/h with one decimal have whole
-/// numbers of it, as those of NHTSA do, and otherwise 1 km/h. By chance, two speeds are whole miles per hour
-/// to 0.05 km/h in one of 250 pairs.
-fn stored_step(samples: &[PreCrashSample]) -> f64 {
-    const HALF_DECIMAL: f64 = 0.05 / 3.6 * (1.0 + 1e-6);
-    let within = |speed: &f64, step: f64, error: f64| (speed - (speed / step).round() * step).abs() <= error;
-    let mut speeds: Vec<f64> =
-        samples.iter().filter_map(|one| one.speed).filter(|speed| *speed > 0.0).collect();
-    speeds.sort_by(f64::total_cmp);
-    speeds.dedup();
-    let are_regular = speeds.iter().all(|speed| within(speed, REGULAR_STEP, 1e-6));
-    let are_miles = speeds.iter().all(|speed| within(speed, MPH, HALF_DECIMAL));
-    if speeds.len() >= 2 && are_miles && !are_regular { MPH } else { REGULAR_STEP }
+impl StepSource {
+    /// Its key in JSON.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Regular => "regular",
+            Self::Unit => "unit",
+            Self::Multiples(_) => "multiples",
+            Self::Miles(_) => "miles",
+        }
+    }
 }
+
+/// How many different speeds show that all are stored in steps of 2 or of 5 of their unit. If they are not,
+/// 5 whole numbers are all even with a probability of 1/32.
+const SHOW_MULTIPLES: usize = 5;
+/// How many different speeds in whole km/h show whole miles per hour. Of all whole km/h, 62 % are a whole mile
+/// per hour after rounding: 8 are all by chance with a probability of 1/44.
+const SHOW_MILES: usize = 8;
+/// As [`SHOW_MILES`], of speeds in km/h with one decimal: two are whole miles to 0.05 km/h in one of 250 pairs.
+const SHOW_MILES_BY_DECIMALS: usize = 2;
+
+/// (m/s) the step in which these speeds (m/s) of a column in `unit` (m/s) are stored, and how it was found.
+fn stored_step(speeds: &[f64], unit: f64) -> (f64, StepSource) {
+    let mut moving: Vec<f64> = speeds.iter().copied().filter(|speed| *speed > 0.0).collect();
+    moving.sort_by(f64::total_cmp);
+    moving.dedup();
+    let count = moving.len();
+    let are_whole = |step: f64, error: f64| {
+        moving.iter().all(|speed| (speed - (speed / step).round() * step).abs() <= error * (1.0 + 1e-6))
+    };
+    let is_metric = (unit - REGULAR_STEP).abs() < EXACT;
+    if !are_whole(unit, EXACT) {
+        // Tables of NHTSA have miles per hour, converted to km/h with one decimal.
+        let are_miles = is_metric && count >= SHOW_MILES_BY_DECIMALS && are_whole(MPH, 0.05 * REGULAR_STEP);
+        return if are_miles { (MPH, StepSource::Miles(count)) } else { (REGULAR_STEP, StepSource::Regular) };
+    }
+    let multiple = [5.0, 2.0].into_iter().find(|times| are_whole(times * unit, EXACT));
+    match multiple {
+        Some(times) if count >= SHOW_MULTIPLES => (times * unit, StepSource::Multiples(count)),
+        _ if is_metric && count >= SHOW_MILES && are_whole(MPH, 0.5 * REGULAR_STEP) => {
+            (MPH, StepSource::Miles(count))
+        }
+        _ if speeds.is_empty() || is_metric => (REGULAR_STEP, StepSource::Regular),
+        _ => (unit, StepSource::Unit),
+    }
+}
+
+/// (m/s) numbers that differ by less are the same number, converted.
+const EXACT: f64 = 1e-6;
 
 /// Why samples are not a record before an impact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -148,10 +187,12 @@ impl Default for SpeedLimits {
     }
 }
 
-/// (m) a distance between two samples: bounds that always hold, and the three sums that practice prints.
+/// (m) a distance between two samples by the speed of the wheels: its bounds, and the three sums that practice
+/// prints. Where the wheels slip, as in braking, the vehicle moves farther, and may move farther than
+/// `at_most`.
 ///
-/// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
-/// the speed need be neither monotonic nor straight. Where two samples differ by more than those limits allow
+/// `at_least` and `at_most` hold for every course of the wheel speed that keeps [`SpeedLimits`]: between
+/// samples it need be neither monotonic nor straight. Where two samples differ by more than those limits allow
 /// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The
 /// sums `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not
 /// rounded.
@@ -264,6 +305,18 @@ fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceB
     sums(at_least, at_most)
 }
 
+/// The distance in `gap` (s) from a stored speed to one (m/s) that was not stored but inferred.
+fn open_end(gap: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceBounds {
+    let (left, right) = (first * gap, last * gap);
+    DistanceBounds {
+        at_least: falling(first.min(last) - limits.rounding, limits.deceleration, gap),
+        left,
+        between: 0.5 * (left + right),
+        right,
+        at_most: rising(first.max(last) + limits.rounding, limits.acceleration, gap),
+    }
+}
+
 impl PreCrash {
     /// A record of these samples.
     ///
@@ -308,12 +361,12 @@ impl PreCrash {
             }
             before = one.time;
         }
-        let step = stored_step(&samples);
-        Ok(Self { samples, step })
+        let speeds: Vec<f64> = samples.iter().filter_map(|one| one.speed).collect();
+        Ok(Self { samples, step: stored_step(&speeds, REGULAR_STEP) })
     }
 
-    /// The record in a table that was read from a text. Its [`step`](Self::step) is one of the unit of the
-    /// speeds if all of them are whole numbers of it, and otherwise as of [`PreCrash::new`].
+    /// The record in a table that was read from a text. Its [`step`](Self::step) is a whole number of the unit
+    /// of the speeds, if all of them are, and otherwise as of [`PreCrash::new`].
     ///
     /// # Errors
     ///
@@ -334,14 +387,21 @@ impl PreCrash {
             yaw_rate: number(Channel::YawRate, k),
         };
         let record = Self::new(times.into_iter().enumerate().map(sample).collect())?;
-        let step = table.column(Channel::Speed).and_then(step_of).unwrap_or(record.step);
-        Ok(Self { step, ..record })
+        let Some(column) = table.column(Channel::Speed) else { return Ok(record) };
+        let speeds: Vec<f64> = column.values.iter().flatten().copied().collect();
+        Ok(Self { step: stored_step(&speeds, column.unit.factor), ..record })
     }
 
     /// (m/s) the step in which its speeds are stored: 1 km/h, unless they show another.
     #[must_use]
     pub fn step(&self) -> f64 {
-        self.step
+        self.step.0
+    }
+
+    /// How that step was found.
+    #[must_use]
+    pub fn step_source(&self) -> StepSource {
+        self.step.1
     }
 
     /// The samples, the earliest first.
@@ -396,6 +456,24 @@ impl PreCrash {
             found.push((points[k].0, sum));
         }
         found.reverse();
+        found
+    }
+
+    /// The distance from each sample with a speed to the impact at 0, the earliest first, with its time (s);
+    /// the last is the impact itself.
+    ///
+    /// From the last speed to the impact the deceleration is constant for `between`, and leads to the speed
+    /// `at_impact` (m/s). The bounds there let the speed change by the limits, from the last stored speed or
+    /// to that at the impact.
+    #[must_use]
+    pub fn distances_to_impact(&self, at_impact: f64, limits: &SpeedLimits) -> Vec<(f64, DistanceBounds)> {
+        let mut found = self.distances_to_last(limits);
+        let Some((last, speed)) = self.speeds().last().filter(|(last, _)| last.time < 0.0) else {
+            return found;
+        };
+        let gap = open_end(0.0 - last.time, [speed, at_impact], limits);
+        found.iter_mut().for_each(|(_, sum)| *sum = sum.plus(gap));
+        found.push((0.0, DistanceBounds::default()));
         found
     }
 }

@@ -4,7 +4,10 @@
 
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use proptest::test_runner::Config;
-use recorder::{Channel, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, read_tables};
+use recorder::{
+    Channel, DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, StepSource,
+    read_tables,
+};
 
 /// (s) within this step the acceleration of a trace is constant.
 const FINE: f64 = 0.05;
@@ -121,6 +124,38 @@ fn bounds_of_two_equal_speeds() {
     assert_eq!(braked.steep_changes(&limits), []);
 }
 
+/// From 60 km/h at −0.5 s to 54 km/h at the impact: 0.5 s at 16.667 and 15 m/s. At the least, 1 g of braking
+/// from 53.5 km/h, 14.861 · 0.5 − g/8; at the most 1 g forward from 60.5 km/h, 16.806 · 0.5 + g/8.
+#[test]
+fn the_distance_to_the_impact_includes_the_gap() {
+    let sample = |time: f64| PreCrashSample { time, speed: Some(60.0 / 3.6), ..PreCrashSample::default() };
+    let limits = SpeedLimits::default();
+    let early = PreCrash::new(vec![sample(-1.5), sample(-0.5)]).unwrap();
+    let found = early.distances_to_impact(15.0, &limits);
+    assert_eq!(found.iter().map(|(time, _)| *time).collect::<Vec<_>>(), [-1.5, -0.5, 0.0]);
+    let gap = found[1].1;
+    for (sum, by_hand) in [
+        (gap.at_least, 6.204_7),
+        (gap.right, 7.5),
+        (gap.between, 7.916_67),
+        (gap.left, 8.333_33),
+        (gap.at_most, 9.628_6),
+    ] {
+        assert!((sum - by_hand).abs() < 1e-4, "{sum} {by_hand}");
+    }
+    let to_last = early.distances_to_last(&limits)[0].1;
+    assert!((found[0].1.between - to_last.between - gap.between).abs() < 1e-12, "{found:?}");
+    assert!((found[0].1.at_most - to_last.at_most - gap.at_most).abs() < 1e-12, "{found:?}");
+    assert_eq!(found[2].1, DistanceBounds::default());
+    // Wheels that locked read 0, while the vehicle went on: the bounds contain both.
+    let locked = PreCrash::new(vec![PreCrashSample { speed: Some(0.0), ..sample(-0.5) }]).unwrap();
+    let gap = locked.distances_to_impact(15.0, &limits)[0].1;
+    assert!(gap.at_least == 0.0 && gap.at_most > gap.right && gap.right == 7.5, "{gap:?}");
+    // Without a gap, it is the distance to the last sample.
+    let whole = PreCrash::new(vec![sample(-1.0), sample(0.0)]).unwrap();
+    assert_eq!(whole.distances_to_impact(15.0, &limits), whole.distances_to_last(&limits));
+}
+
 /// A fall of 15 m/s in a second is more than tyres can do. It may have happened in the last instant, after a
 /// second of
 /// 1 g forward from 20 m/s, or in the first, with 5 m/s at the end: from a standstill, as 5 < g, 5²/2g m.
@@ -165,6 +200,39 @@ fn speeds_in_whole_miles_are_rounded_to_a_mile() {
     // ±0.22352 m/s over 2 s, as the turns stay where they are.
     assert!((bounds.at_most - exact.at_most - 0.44704).abs() < 1e-9, "{exact:?}");
     assert!((exact.at_least - bounds.at_least - 0.44704).abs() < 1e-9, "{exact:?}");
+}
+
+/// A step shows in the speeds themselves: 5 different multiples of 2 or 5, or 8 whole miles in whole km/h. By
+/// conversion, 60, 59, 57, 55, 52, 48, 44 and 39 mph are 96.56, 94.95, 91.73, 88.51, 83.69, 77.25, 70.81 and
+/// 62.76 km/h.
+#[test]
+fn a_coarser_step_shows_in_the_speeds() {
+    let found = |unit: &str, speeds: &str| {
+        let count = i32::try_from(speeds.split(' ').count()).unwrap();
+        let rows: String = speeds.split(' ').zip(1 - count..).map(|(v, k)| format!("{k},{v}\n")).collect();
+        let text = format!("Time (s),Vehicle speed ({unit})\n{rows}");
+        let record = PreCrash::from_table(&read_tables(&text).unwrap()[0]).unwrap();
+        (record.step(), record.step_source())
+    };
+    let miles = "97 95 92 89 84 77 71 63";
+    for (unit, speeds, step, source) in [
+        ("km/h", "70 65 60 60 50 45", 5.0 / 3.6, StepSource::Multiples(5)),
+        ("km/h", "70 66 60 60 50 44", 2.0 / 3.6, StepSource::Multiples(5)),
+        ("mph", "70 66 60 60 50 44", 2.0 * 0.447_04, StepSource::Multiples(5)),
+        ("km/h", miles, 0.447_04, StepSource::Miles(8)),
+        ("km/h", "96.6 93.3 88.5", 0.447_04, StepSource::Miles(3)),
+        ("mph", "60 57 55", 0.447_04, StepSource::Unit),
+        // One speed too few, a standstill that is a multiple of everything, or one speed that is none.
+        ("km/h", "70 65 60 60 50 50", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "60 50 40 30 0 0", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "70 65 60 61 50 45 40", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "0 0 0 0 0 0", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", &miles[3..], 1.0 / 3.6, StepSource::Regular),
+        ("km/h", &miles.replace("89", "88"), 1.0 / 3.6, StepSource::Regular),
+    ] {
+        let (size, how) = found(unit, speeds);
+        assert!((size - step).abs() < 1e-12 && how == source, "{unit} {speeds}: {size} {how:?}");
+    }
 }
 
 #[test]

@@ -132,7 +132,7 @@ fn the_record_that_was_coded_as_of_the_event_is_found() {
                     let is_of_event = event.is_ok_and(|event| of("EVENTNO").parse() == Ok(event));
                     let span = pulse.span(PulseRule::GreatestDeltaV);
                     let record = span.map_or_else(EventRecord::default, |span| {
-                        EventRecord::new(span.delta_v, span.complete, &impact)
+                        EventRecord::new(span.delta_v, span.complete)
                     });
                     Some((is_of_event, record))
                 })

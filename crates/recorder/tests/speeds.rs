@@ -268,6 +268,46 @@ fn a_vehicle_that_stands_stands() {
     assert_eq!((error.name, error.greatest), ("friction", 1.5));
 }
 
+/// From 10 km/h, a second of any braking up to 0.75 g stops the car more often than not. The parts, with what is
+/// cut off at 0, are the mean and the variance.
+#[test]
+fn the_parts_of_a_car_that_may_have_stopped_add_up() {
+    let slow = record(&[(-1.5, 10.0, Some(true)), (-1.0, 10.0, Some(true))]);
+    let found = ImpactSpeed::of(&slow, &ImpactSpeedErrors::default()).unwrap();
+    let shift: f64 = found.parts.iter().map(|part| part.shift).sum();
+    let variance: f64 = found.parts.iter().map(|part| part.variance).sum();
+    assert!((found.stored + shift - found.mean).abs() < 1e-9, "{found:?}");
+    assert!((variance - found.sd * found.sd).abs() < 1e-9, "{found:?}");
+    let cut = found.parts.last().unwrap();
+    assert!(cut.source == SpeedErrorSource::CutOff && cut.shift > 0.5 && cut.variance < 0.0, "{found:?}");
+    // 50 km/h are never used up.
+    let fast = record(&[(-1.5, 50.0, Some(true)), (-1.0, 50.0, Some(true))]);
+    let found = ImpactSpeed::of(&fast, &ImpactSpeedErrors::default()).unwrap();
+    assert!(found.parts.iter().all(|part| part.source != SpeedErrorSource::CutOff), "{found:?}");
+}
+
+/// Braking at 4 m/s² with a sample every tenth of a second: in steps of 5 km/h the last fall is 0 or 50 km/h in
+/// a second, and that over half a second is near 4 m/s², or 14.4 km/h. Brakes that came on later count alone.
+#[test]
+fn the_slip_is_by_the_fall_over_half_a_second() {
+    let share = |speeds: [f64; 7], came_on: f64| {
+        let times = [-0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0.0];
+        let samples: Vec<_> =
+            times.into_iter().zip(speeds).map(|(time, speed)| (time, speed, Some(time >= came_on))).collect();
+        let errors = ImpactSpeedErrors { step: 5.0 * KMH, ..ImpactSpeedErrors::default() };
+        let found = ImpactSpeed::of(&record(&samples), &errors).unwrap();
+        let slip = found.parts.iter().find(|part| part.source == SpeedErrorSource::Slip).unwrap().shift;
+        // slip = h · 3 km/h + (1 − h) · 1.4 % of the last speed
+        let steady = 0.014 * speeds[6];
+        (slip / KMH - steady) / (3.0 - steady)
+    };
+    // From 70 to 60 km/h in half a second: 5.56 m/s² of 0.75 g.
+    let half = [70.0, 70.0, 65.0, 65.0, 65.0, 60.0, 60.0];
+    assert!((share(half, -1.0) - 10.0 / 3.6 / 0.5 / (0.75 * 9.80665)).abs() < 1e-9);
+    // On from −0.2 s on: from 65 to 60 in 0.2 s.
+    assert!((share(half, -0.2) - 5.0 / 3.6 / 0.2 / (0.75 * 9.80665)).abs() < 1e-9);
+}
+
 /// The last speed is 72 km/h, after another of 72 half a second before; each row is a time and the brake,
 /// after the first with a dash for the speed.
 fn with_gap(brakes: &[(f64, Option<bool>)]) -> PreCrash {

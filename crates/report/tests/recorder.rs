@@ -74,6 +74,44 @@ fn the_headline_says_where_delta_v_holds() {
     }
 }
 
+/// (m/s) of the JSON of a recorder in these axes: -20 km/h along and 10 to the right, whole or cut off; 0.9 m to
+/// the left of the centre of gravity, where ΔV along it is less by 0.9 m · π/2 rad/s = 5.09 km/h.
+#[test]
+fn delta_v_in_json_is_in_the_axes_of_the_case() {
+    let pulse = |axes: &str, side: &str, lines: &str, end: &str| {
+        let text = format!(
+            "[scene]\naxes = \"{axes}\"\n[vehicle1.recorder]\nat = {{ x = \"0 m\", y = \"{side}\" }}\n{lines}\n\
+             pulse = {{ time = \"0 10 20 30 40 50 60 ms\", delta_v_longitudinal = \"0 -5 -10 -15 {end} km/h\", \
+             delta_v_lateral = \"0 3 5 8 10 10 10 km/h\" }}\n"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let reading = analysis::recorders(&file.case).unwrap();
+        let json: Value = serde_json::from_str(&report::recorders_json(&file, &reading).unwrap()).unwrap();
+        json["vehicles"][0]["pulse"].clone()
+    };
+    let kmh = |pair: &Value| [0, 1].map(|k| (pair[k].as_f64().unwrap() * 360.0).round() / 100.0);
+    let whole = "-20 -20 -20";
+    for (axes, side, yaw_rate, across) in
+        [("z-up", "0.9 m", "90 deg/s", -10.0), ("z-down", "-0.9 m", "-90 deg/s", 10.0)]
+    {
+        let turned = format!("yaw_rate = \"{yaw_rate}\"");
+        let found = pulse(axes, side, &turned, whole);
+        assert_eq!(kmh(&found["delta_v_at_recorder"]), [-20.0, across], "{found}");
+        assert_eq!(kmh(&found["delta_v_at_center"]), [-14.91, across], "{found}");
+        assert!(found["least_delta_v_at_recorder"].is_null() && found["least_delta_v_at_center"].is_null());
+        // As stored, whatever the axes.
+        assert!((found["spans"][2]["lateral"].as_f64().unwrap() * 3.6 - 10.0).abs() < 1e-9, "{found}");
+        let cut = pulse(axes, side, &turned, "-20 -25 -30");
+        assert_eq!(kmh(&cut["least_delta_v_at_recorder"]), [-30.0, across], "{cut}");
+        assert_eq!(kmh(&cut["least_delta_v_at_center"]), [-24.91, across], "{cut}");
+        assert!(cut["delta_v_at_recorder"].is_null() && cut["delta_v_at_center"].is_null());
+        // Without the yaw rate, nothing is converted.
+        let alone = pulse(axes, side, "", whole);
+        assert_eq!(kmh(&alone["delta_v_at_recorder"]), [-20.0, across], "{alone}");
+        assert!(alone["delta_v_at_center"].is_null(), "{alone}");
+    }
+}
+
 /// A second table is read if all its times are before the impact, and it gives nothing twice.
 #[test]
 fn a_table_that_is_not_read_has_a_reason() {
@@ -164,6 +202,69 @@ fn the_headline_is_the_median_and_the_account_the_mean() {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("mean at the impact 57.1 "), "{text}");
     assert!(words.contains("median at the impact: as above 60.0 "), "{text}");
+}
+
+/// The step is that of the speeds, unless the case states one.
+#[test]
+fn the_report_says_how_the_step_was_found() {
+    let told = |speeds: &str, errors: &str| {
+        let text = format!(
+            "[vehicle1.recorder]\npre_crash = {{ time = \"-5 -4 -3 -2 -1 0 s\", speed = \"{speeds}\" }}\n{errors}"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let reading = analysis::recorders(&file.case).unwrap();
+        let json: Value = serde_json::from_str(&report::recorders_json(&file, &reading).unwrap()).unwrap();
+        let text = report::recorders(&file, &reading, Units::Si).text();
+        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        (
+            words,
+            json["vehicles"][0]["step"].as_f64().unwrap() * 3.6,
+            json["vehicles"][0]["step_source"].clone(),
+        )
+    };
+    let fives = "70 65 60 55 50 45 km/h";
+    for (speeds, errors, words, step, source) in [
+        (fives, "", "to 5.0 km/h (all 6 different speeds are multiples of it)", 5.0, "multiples"),
+        (fives, "errors = { step = \"1 km/h\" }\n", "to 1.0 km/h (`step` of the case)", 1.0, "case"),
+        ("70 65 61 55 50 45 km/h", "", "to 1.0 km/h (the step of 49 CFR 563, as", 1.0, "regular"),
+    ] {
+        let (text, found, how) = told(speeds, errors);
+        assert!(text.contains(&format!("Rounding: {words}")), "{text}");
+        assert!((found - step).abs() < 1e-9 && how == source, "{found} {how}");
+    }
+}
+
+/// The threshold of the text is that of the weight: a fall of 1.13 g is rare, one of more than 1.2 g no tyre's.
+#[test]
+fn a_steep_fall_has_one_threshold() {
+    let text = "[vehicle1.recorder]\npre_crash = { time = \"-1 -0.5 0 s\", speed = \"80 78 57 km/h\", brake = \"on on on\" }\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("Few tyres do that, and none more than 1.2 g"), "{text}");
+    assert!(words.contains("more than 1 g, and none by more than 1.2 g"), "{text}");
+}
+
+/// Two records of one axis: their ΔV is marked, and they have no PDOF.
+#[test]
+fn a_record_of_one_axis_is_marked() {
+    let text = "[vehicle1.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\nstiffness = { category = 3 }\n\
+                pdof = \"30 deg\"\n[[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"-9 km/h\"\n\
+                [[vehicle1.recorder.records]]\nsince_previous = \"1 s\"\ndelta_v_longitudinal = \"-30 km/h\"\n\
+                delta_v_lateral = \"4 km/h\"\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let reading = analysis::recorders(&file.case).unwrap();
+    let page = report::recorders(&file, &reading, Units::Si).text();
+    let row = page.lines().find(|line| line.contains("9.0 x")).unwrap_or_else(|| panic!("{page}"));
+    assert!(row.contains('–'), "{page}");
+    assert!(page.contains("x: along the vehicle only"), "{page}");
+    assert_eq!(page.matches(" x ").count(), 1, "{page}");
+    let json: Value = serde_json::from_str(&report::recorders_json(&file, &reading).unwrap()).unwrap();
+    let vehicle = &json["vehicles"][0];
+    let records = [&vehicle["record"], &vehicle["other_records"][0]["record"]];
+    let one = records.iter().find(|record| record["axis"] == "longitudinal").unwrap();
+    assert!(one["pdof"].is_null() && (one["delta_v"].as_f64().unwrap() * 3.6 - 9.0).abs() < 1e-9, "{one}");
+    assert_eq!(records.iter().filter(|record| record["axis"].is_null()).count(), 1);
 }
 
 /// The command that evaluates recorders alone is listed where a recorder has a table: a file that was not

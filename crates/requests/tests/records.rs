@@ -58,7 +58,46 @@ fn a_recorder_is_shown_in_every_format() {
     assert_eq!(csv.lines().count(), 1 + 6 + 5);
     assert!(csv.lines().nth(1).unwrap().starts_with("1,-2.5,16.38"), "{csv}");
     // From the last sample on, no distance is left.
-    assert!(csv.lines().nth(6).unwrap().ends_with(",0,0,0"), "{csv}");
+    assert!(csv.lines().nth(6).unwrap().ends_with(",0,0,0,1"), "{csv}");
+}
+
+/// One record ends 0.5 s before the impact, the other at it: on the common clock, both are at distance 0 at
+/// time 0, and the first is 0.5 s at 60 km/h or a little less before it at its last sample.
+#[test]
+fn both_paths_end_at_the_impact() {
+    let vehicle = |n: u8, time: &str, speed: &str| {
+        format!(
+            "[vehicle{n}.recorder.pre_crash]\ntime = \"{time} s\"\nspeed = \"{speed} km/h\"\nbrake = \"off off off\"\n"
+        )
+    };
+    let text = vehicle(1, "-2.5 -1.5 -0.5", "60 60 60") + &vehicle(2, "-2 -1 0", "40 40 40");
+    let file = CaseFile::parse("case.toml", &text).unwrap();
+    let answer = asked(&file).unwrap();
+    let mut csv = Vec::new();
+    answer.write_samples(CsvStyle::International, &mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let [time, distance, is_stored] = ["time", "distance", "speed_is_stored"]
+        .map(|name| rows[0].iter().position(|own| *own == name).unwrap());
+    let at = |vehicle: &str| rows.iter().filter(|row| row[0] == vehicle).collect::<Vec<_>>();
+    let (one, two) = (at("1"), at("2"));
+    for path in [&one, &two] {
+        let last = path.last().unwrap();
+        assert_eq!((last[time], last[distance]), ("0", "0"), "{csv}");
+    }
+    let before: f64 = one[2][distance].parse().unwrap();
+    assert!(one[2][time] == "-0.5" && (8.0..8.5).contains(&before), "{csv}");
+    assert_eq!((one.len(), one[2][is_stored], one[3][is_stored], two[2][is_stored]), (4, "1", "0", "1"));
+    let json: serde_json::Value = serde_json::from_str(&answer.json(&file).unwrap()).unwrap();
+    let [first, second] = [0, 1].map(|k| &json["vehicles"][k]);
+    let impact = &first["samples"][3];
+    assert_eq!((&impact["time"], &impact["speed_is_stored"]), (&0.0.into(), &false.into()));
+    assert_eq!(impact["speed"], first["speed_at_impact"]["median"]);
+    assert_eq!(second["samples"].as_array().unwrap().len(), 3);
+    let page = answer.document(&file, Units::Si).text();
+    let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("The last speed was stored at -0.50 s. The row at 0 s has the median"), "{page}");
+    assert_eq!(words.matches("The row at 0 s").count(), 1, "{page}");
 }
 
 #[test]

@@ -314,6 +314,11 @@ impl<'t> Reader<'t> {
         self.percent_within(table, key, |number| (0.0..most).contains(&number), range)
     }
 
+    /// A probability in per cent, from 0 to 100.
+    pub(super) fn probability(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
+        self.percent_within(table, key, |number| (0.0..=100.0).contains(&number), "from 0 to 100")
+    }
+
     fn percent_within(
         &mut self,
         table: &Table<'t>,

@@ -36,7 +36,6 @@ const PULSE_FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\
 /// (%) limits of the errors of a recorder.
 const MOST_SHARE: f64 = 20.0;
 const MOST_FRICTION: f64 = 150.0;
-const MOST_PROBABLE: f64 = 100.0;
 /// Maximum number of records: a recorder keeps a handful.
 const MOST_RECORDS: usize = 20;
 const WITHOUT_RANGE: &str =
@@ -182,8 +181,7 @@ impl<'t> Reader<'t> {
         let [friction, coasting] =
             ["friction", "coasting"].map(|key| self.percent_below(table, key, MOST_FRICTION));
         let [brake_comes_on, keeps_braking, last_is_of_impact] =
-            ["brake_comes_on", "keeps_braking", "last_is_of_impact"]
-                .map(|key| self.percent_below(table, key, MOST_PROBABLE));
+            ["brake_comes_on", "keeps_braking", "last_is_of_impact"].map(|key| self.probability(table, key));
         let errors = GivenSpeedErrors {
             step,
             steady_low,

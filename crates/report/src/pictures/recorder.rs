@@ -48,9 +48,10 @@ pub(crate) fn curves(
     units: Units,
 ) -> Option<CurvesPicture> {
     let mut panels = Vec::new();
-    if let Some(record) = recorder.before_impact() {
+    if !found.path.is_empty() {
+        let samples = || found.path.iter().map(|point| &point.sample);
         let over_time = |of: fn(&recorder::PreCrashSample) -> Option<f64>| -> Vec<[f64; 2]> {
-            record.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
+            samples().filter_map(|one| Some([one.time, of(one)?])).collect()
         };
         let mut add = |across: Axis, upward: Axis, curve: Vec<[f64; 2]>| {
             if curve.len() > 1 {
@@ -66,14 +67,11 @@ pub(crate) fn curves(
         );
         add(time_before(), axis(units, "steering wheel", Measure::Angle), over_time(|one| one.steering));
         let over_distance: Vec<[f64; 2]> = found
-            .distances
+            .path
             .iter()
-            .filter_map(|(time, bounds)| {
-                let sample = record.samples().iter().find(|one| one.time == *time)?;
-                Some([-bounds.between, sample.speed?])
-            })
+            .filter_map(|point| Some([-point.distance?.between, point.sample.speed?]))
             .collect();
-        let across = axis(units, "distance before the last sample", Measure::Length);
+        let across = axis(units, "distance before the impact", Measure::Length);
         add(across, axis(units, "speed", Measure::RoadSpeed), over_distance);
     }
     let pulse = recorder.during_impact();
@@ -105,17 +103,18 @@ pub(crate) fn curves(
 pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<CurvesPicture> {
     let path = |id: VehicleId| -> Option<Vec<[f64; 2]>> {
         let found = reading.vehicles[id.index()].as_ref().filter(|found| found.of_impact.is_taken)?;
+        let points = found.path.iter();
         let path: Vec<[f64; 2]> =
-            found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
+            points.filter_map(|point| Some([point.sample.time, point.distance?.between])).collect();
         (path.len() > 1).then_some(path)
     };
     let across = time_before();
-    let upward = axis(units, "distance to the last sample", Measure::Length);
+    let upward = axis(units, "distance to the impact", Measure::Length);
     let paths = [path(VehicleId::One)?, path(VehicleId::Two)?];
     Some(picture(
         case,
         "distance of both vehicles to the impact over time".to_owned(),
-        "Distance of both vehicles to their last sample over the time before the impact".to_owned(),
+        "Distance of both vehicles to the impact over the time before it".to_owned(),
         vec![panel(across, upward, paths, Vec::new())],
         [1, 2].map(|k| Some(format!("vehicle {k}"))),
     ))

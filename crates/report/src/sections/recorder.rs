@@ -1,11 +1,11 @@
 //! The readings of the recorders of a case on their own.
 
-use analysis::{OfImpact, RecorderReading, VehicleReading};
+use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch,
-    RecorderTable, SpeedErrorSource, force_direction,
+    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, OneAxis, PreCrash, PreCrashSample, PulseRule,
+    PulseSpan, RecordMatch, RecorderTable, SpeedErrorPart, SpeedErrorSource, StepSource, force_direction,
 };
 
 use super::chosen::or_none;
@@ -97,22 +97,27 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
 }
 
 /// Whether the recorder is away from the centre of gravity, and the case has the data to convert ΔV to there.
-fn is_of_center(found: &VehicleReading) -> bool {
+pub(crate) fn is_of_center(found: &VehicleReading) -> bool {
     found.recorder.at.is_some() && found.recorder.yaw_rate.is_some()
 }
 
 /// The common clock of both records, and which of them end before time 0.
 fn one_clock(reading: &RecorderReading) -> String {
     let early: Vec<String> = read_of(reading)
-        .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
-        .filter(|(_, time)| *time < 0.0)
+        .filter_map(|(id, found)| Some((id, last_before_impact(found)?)))
         .map(|(id, time)| format!("the last speed of vehicle {id} is at {} s", number(time, 2)))
         .collect();
     let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
     format!(
-        "0 is the impact for both records{early}. The distance is to the last sample of each, linear between \
-         its samples."
+        "Time 0 and distance 0 are the impact for both records{early}. The speed is linear between the samples, \
+         and from the last of them to the impact. Wheel slip is not corrected here, as it is in `deltav avoid`."
     )
+}
+
+/// (s) the time of the last stored speed, if it is before the impact.
+fn last_before_impact(found: &VehicleReading) -> Option<f64> {
+    let speed = found.speed.as_ref()?;
+    (speed.time < 0.0).then_some(speed.time)
 }
 
 /// The heading of the choice among records.
@@ -165,7 +170,7 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         table.row([
             place.map_or_else(|| "1".to_owned(), |place| place.to_string()),
             or_none(since_previous.map(|time| number(time, 2))),
-            or_none(delta_v.map(|delta_v| format!("{bound}{delta_v}"))),
+            or_none(delta_v.map(|delta_v| format!("{bound}{delta_v}{}", axis(event.one_axis)))),
             or_none(event.force_direction.map(degrees)),
             verdict(&one.of_impact),
         ]);
@@ -186,19 +191,35 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         };
         format!(
             "The damage shows {}.{by_plane} The records are compared with it, with errors (standard \
-             deviations) of {}° in direction and {} % in ΔV; {} % of all records are assumed to be of no \
-             impact listed here.",
+             deviations) of {}° in direction, and more where the rounding of a small ΔV blurs it, and {} % in \
+             ΔV. A record that is not complete holds any share of the ΔV; {} % of all records are assumed to be \
+             of no impact listed here.",
             known.join(" and "),
             degrees(errors.direction),
             number(100.0 * errors.size, 0),
             number(100.0 * errors.of_none, 0),
         )
     });
+    if in_order(found).iter().any(|one| one.of_impact.event.one_axis.is_some()) {
+        table.note(
+            "x: along the vehicle only, y: across it only. Such a record shows no PDOF; it is compared with the \
+             part of the impact along its axis.",
+        );
+    }
     page.push(table);
 }
 
+/// The mark of a ΔV along one axis.
+fn axis(one_axis: Option<OneAxis>) -> &'static str {
+    match one_axis {
+        Some(OneAxis::Longitudinal(_)) => " x",
+        Some(OneAxis::Lateral(_)) => " y",
+        None => "",
+    }
+}
+
 /// The leading span: that to the largest ΔV.
-fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
+pub(crate) fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
     spans.iter().find(|span| span.rule == PulseRule::GreatestDeltaV)
 }
 
@@ -280,8 +301,8 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     let (Some(table), Some(record)) = (given.tables.first(), &given.record) else { return };
     page.push(part(found, "Before the impact"));
     recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
-    page.push(samples(record, found, units));
-    if found.distances.is_empty() {
+    page.push(samples(found, units));
+    if record.speeds().next().is_none() {
         page.paragraph(
             "No sample has a speed: the record gives neither a distance nor a speed at the impact.",
         );
@@ -293,11 +314,19 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
         "are exact".to_owned()
     };
     page.paragraph(format!(
-        "The distance is to the last sample. It lies between \"at least\" and \"at most\" if the speed changes \
-         by at most 1 g either way and the stored values {rounding}. \"Left\" holds each speed until the next \
-         sample and \"right\" from the one before; \"between\" is linear. A speed that reads low, as in \
-         braking, makes all of them too short.",
+        "The distance is to the impact, by the speed of the wheels. That distance lies between \"at least\" and \
+         \"at most\" if the speed changes by at most 1 g either way and the stored values {rounding}. \"Left\" \
+         holds each speed until the next sample and \"right\" from the one before; \"between\" is linear. \
+         Wheels that slip, as in braking, read low: the vehicle then drove farther, and may have driven \
+         farther than \"at most\".",
     ));
+    if let Some(time) = last_before_impact(found) {
+        page.paragraph(format!(
+            "The last speed was stored at {} s. The row at 0 s has the median of the speed at the impact below; \
+             from the last stored speed to it, \"between\" is linear.",
+            number(time, 2)
+        ));
+    }
     steep(page, found);
     if let Some(speed) = &found.speed {
         page.push(account(speed, found, units));
@@ -339,20 +368,21 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         })
         .collect();
     page.paragraph(format!(
-        "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped \
-         again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
+        "The stored speed changes by more than 1 g: {}. Few tyres do that, and none more than {} g: the \
+         wheels probably slipped or gripped again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
          limit it to 1 g only in the other direction.",
-        places.join(", ")
+        places.join(", "),
+        number(BEYOND_TYRES / STANDARD_GRAVITY, 1)
     ));
 }
 
-/// The samples, with the distance from each to the last.
-fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
+/// The samples and the impact, with the distance from each to the impact.
+fn samples(found: &VehicleReading, units: Units) -> Table {
     let (speed, length) = (units.name(Measure::RoadSpeed), units.name(Measure::Length));
-    let samples = record.samples();
+    let samples: Vec<&PreCrashSample> = found.path.iter().map(|point| &point.sample).collect();
     let mut columns = vec![Column::numbers("time", 7).unit("s"), Column::numbers("speed", 8).unit(speed)];
     // Columns that the record does not have are omitted.
-    let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
+    let has = |of: fn(&PreCrashSample) -> bool| samples.iter().any(|one| of(one));
     let shown = [
         has(|one| one.brake.is_some()),
         has(|one| one.abs.is_some()),
@@ -373,7 +403,7 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
     let decimals = usize::from(pedals().any(|percent| percent.fract() != 0.0));
     let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
-    for sample in samples {
+    for PathPoint { sample, distance, .. } in &found.path {
         let mut cells = vec![number(sample.time, 2)];
         cells.push(sample.speed.map_or(NONE.to_owned(), |si| units.plain(Measure::RoadSpeed, si)));
         let optional = [
@@ -386,17 +416,13 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
             sample.steering.map_or(NONE.to_owned(), |angle| number(angle.to_degrees(), 1)),
         ];
         cells.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(cell, _)| cell));
-        let bounds = found.distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| bounds);
-        let parts = bounds.map(|one| [one.at_least, one.right, one.between, one.left, one.at_most]);
+        let parts = distance.map(|one| [one.at_least, one.right, one.between, one.left, one.at_most]);
         let metres = |si: f64| number(units.value(Measure::Length, si), 1);
         cells.extend(parts.map_or_else(|| vec![NONE.to_owned(); 5], |parts| parts.map(metres).to_vec()));
         table.cells(cells);
     }
     table
 }
-
-/// (–) if a mean is this many standard deviations above 0, hardly a draw is cut off at 0.
-const SURELY: f64 = 4.0;
 
 /// The speed at impact, and the sources of its error.
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
@@ -415,26 +441,18 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         NONE.to_owned(),
         NONE.to_owned(),
     ]);
-    for part in &speed.parts {
+    // Hardly anything may be cut off.
+    let is_nothing = |part: &SpeedErrorPart| {
+        let [shift, zero] = [part.shift, 0.0].map(|shift| units.signed(Measure::RoadSpeed, shift));
+        part.source == SpeedErrorSource::CutOff && shift == zero
+    };
+    for part in speed.parts.iter().filter(|part| !is_nothing(part)) {
         let share = if whole > 0.0 { part.variance / whole } else { 0.0 };
         table.row([
             part.source.name().to_owned(),
             units.signed(Measure::RoadSpeed, part.shift),
-            plain(part.variance.sqrt()),
+            if part.variance < 0.0 { NONE.to_owned() } else { plain(part.variance.sqrt()) },
             number(100.0 * share, 0),
-        ]);
-    }
-    // The parts are computed before numbers below 0, due to braking or rounding, are cut off.
-    let uncut = speed.stored + speed.parts.iter().map(|part| part.shift).sum::<f64>();
-    let cut = speed.mean - uncut;
-    if uncut < SURELY * whole.sqrt()
-        && units.signed(Measure::RoadSpeed, cut) != units.signed(Measure::RoadSpeed, 0.0)
-    {
-        table.row([
-            "cut off at 0: it did not go backward".to_owned(),
-            units.signed(Measure::RoadSpeed, cut),
-            NONE.to_owned(),
-            NONE.to_owned(),
         ]);
     }
     table.row(["mean at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
@@ -444,10 +462,11 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
     table.note(format!(
-        "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a \
+        "Rounding: to {} ({}). Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a \
          2010 Ford Flex against GPS), and in between by the deceleration before the last sample, less engine \
          braking if the brake is off. Tyres: ± {} %.",
         kmh(errors.step),
+        step_source(found),
         percent(errors.steady_low),
         percent(errors.steady_sd),
         kmh(errors.slip_low),
@@ -469,6 +488,19 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         table.note("The stored speed may be that of the impact itself: see below.");
     }
     table
+}
+
+/// How the step in which speeds are stored was found.
+fn step_source(found: &VehicleReading) -> String {
+    match found.step_source {
+        None => "`step` of the case".to_owned(),
+        Some(StepSource::Regular) => "the step of 49 CFR 563, as the speeds show no other".to_owned(),
+        Some(StepSource::Unit) => "all speeds are whole numbers of their unit".to_owned(),
+        Some(StepSource::Multiples(count)) => format!("all {count} different speeds are multiples of it"),
+        Some(StepSource::Miles(count)) => {
+            format!("all {count} different speeds are whole miles per hour, converted")
+        }
+    }
 }
 
 /// The assumption about the brake between the last speed and the impact.
