@@ -426,6 +426,28 @@ pub enum TextRefusal {
         /// The headings.
         columns: String,
     },
+    /// A cell in aligned columns that stands in none of them for sure.
+    #[error(
+        "{place}: \"{text}\" stands in no column for sure: line it up with the rows above and below, write - for a \
+         value that is empty, or write the table with a semicolon between its columns"
+    )]
+    CellUnplaced {
+        /// The place of the first cell.
+        place: TextPlace,
+        /// The cells.
+        text: String,
+    },
+    /// A part of a heading in aligned columns that stands over none of them for sure.
+    #[error(
+        "{place}: it is not sure over which columns the heading \"{text}\" stands: write the whole heading of each \
+         column in one line, with a semicolon between the columns of the heading and of the rows"
+    )]
+    HeadingUnplaced {
+        /// Its place.
+        place: TextPlace,
+        /// The heading.
+        text: String,
+    },
     /// Rows of several records.
     #[error("the table holds several records: {records}; choose one with rows = \"{example}\"")]
     SeveralRecords {
@@ -552,6 +574,8 @@ impl TextRefusal {
             | Self::Unit { place, .. }
             | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
+            | Self::CellUnplaced { place, .. }
+            | Self::HeadingUnplaced { place, .. }
             | Self::NoCodes { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeFar { place, .. }

@@ -1,5 +1,6 @@
 //! Reads a recorder's table from text: CSV, or text copied out of a printed report.
 
+mod aligned;
 mod columns;
 mod delimited;
 mod flowing;
@@ -16,7 +17,8 @@ use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 ///
 /// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
 /// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
-/// row with the times across. A heading may be split over lines. In `50 [81]` below `MPH [km/h]`, the number
+/// row with the times across. A heading may be split over lines. In aligned columns, a cell belongs to the
+/// column in which it stands, so that an empty one shifts no other. In `50 [81]` below `MPH [km/h]`, the number
 /// in brackets is read, which is the stored one. Values are converted to SI, and the returned times rise.
 ///
 /// # Errors
@@ -48,9 +50,12 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
     if !rows.trim().is_empty() {
         return Err(TextRefusal::NotLong);
     }
-    let raw = match delimited::layout(&text) {
-        Some(layout) => delimited::tables(&text, layout)?,
-        None => flowing::tables(&text)?,
+    let raw = match delimited::delimiter(&text) {
+        Some(delimiter) => delimited::tables(&text, delimiter)?,
+        None => match aligned::tables(&text)? {
+            Some(tables) => tables,
+            None => flowing::tables(&text)?,
+        },
     };
     if raw.is_empty() {
         return Err(no_heading(&text));
