@@ -18,7 +18,8 @@ use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 /// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
 /// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
 /// row with the times across. A heading may be split over lines. In aligned columns, a cell belongs to the
-/// column in which it stands, so that an empty one shifts no other. In `50 [81]` below `MPH [km/h]`, the number
+/// column in which it stands, so that an empty one shifts no other. Of several columns of times, that on the
+/// left of a quantity is its own. In `50 [81]` below `MPH [km/h]`, the number
 /// in brackets is read, which is the stored one. Values are converted to SI, and the returned times rise.
 ///
 /// # Errors
@@ -60,7 +61,7 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
     if raw.is_empty() {
         return Err(no_heading(&text));
     }
-    raw.into_iter().map(raw::finish).collect()
+    raw.into_iter().flat_map(raw::by_times).map(raw::finish).collect()
 }
 
 /// (characters) of the beginning of a text in a message.

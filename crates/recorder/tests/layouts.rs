@@ -824,3 +824,33 @@ fn tables_of_one_record_are_joined_by_their_times() {
     one.join(two);
     assert_eq!(one.times(), [-1.0, -0.5, 0.0, 0.5, 1.0]);
 }
+
+/// Two series side by side, each with its own times, are two tables.
+#[test]
+fn a_quantity_has_the_times_on_its_left() {
+    let text = "Time (ms),Longitudinal Delta-V (km/h),Time (ms),Lateral Delta-V (km/h)\n\
+                0,0,5,0\n10,-3,15,1\n20,-9,25,4\n30,-15,,\n";
+    for (between, whole) in
+        [(",", true), (";", true), ("\t", true), ("|", true), (" ", false), ("    ", false)]
+    {
+        let text = if whole { text.to_owned() } else { text.replace("30,-15,,\n", "") };
+        let tables = read_tables(&text.replace(',', between)).unwrap();
+        assert_eq!(tables.len(), 2, "{between:?}");
+        let along = [0.0, -3.0, -9.0, -15.0];
+        let along = if whole { &along[..] } else { &along[..3] };
+        assert_eq!(values(&tables[0], Channel::DeltaVLongitudinal, KMH), along);
+        assert_eq!(values(&tables[1], Channel::Time, 1e-3), [5.0, 15.0, 25.0]);
+        assert_eq!(values(&tables[1], Channel::DeltaVLateral, KMH), [0.0, 1.0, 4.0]);
+        assert!(tables[0].column(Channel::DeltaVLateral).is_none());
+    }
+    // The same times again, or in another unit, or times without a quantity, make no other table.
+    for text in [
+        "Time (ms),Longitudinal Delta-V (km/h),Time (s),Lateral Delta-V (km/h)\n0,0,0,0\n10,-3,0.010,1\n",
+        "Time (ms),Longitudinal Delta-V (km/h),Lateral Delta-V (km/h),Time (ms)\n0,0,0,5\n10,-3,1,15\n",
+        "Time (ms),Time (s),Longitudinal Delta-V (km/h),Lateral Delta-V (km/h)\n0,3,0,0\n10,4,-3,1\n",
+    ] {
+        let table = one(text);
+        assert_eq!(values(&table, Channel::Time, 1e-3), [0.0, 10.0]);
+        assert_eq!(values(&table, Channel::DeltaVLateral, KMH), [0.0, 1.0]);
+    }
+}

@@ -159,6 +159,55 @@ fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Re
     Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
 }
 
+/// (s) the times of a column, `None` where a cell is empty; `None` unless all others are numbers with a unit.
+fn seconds((head, cells): &(Head, Vec<Token>)) -> Option<Vec<Option<f64>>> {
+    let head = in_units_of_cells(head.clone(), cells);
+    let units = head.unit().ok().filter(|_| head.channel == Channel::Time)?;
+    let time = |cell: &Token| match value(cell, Channel::Time, units) {
+        Ok(time) => Some(Some(time)),
+        Err(NoValue::Empty) => Some(None),
+        Err(_) => None,
+    };
+    cells.iter().map(time).collect()
+}
+
+/// A table for each of several columns of different times: a quantity belongs to the one that is nearest on
+/// its left.
+pub(crate) fn by_times(raw: RawTable) -> Vec<RawTable> {
+    let is_series = |(head, _): &(Head, Vec<Token>)| !matches!(head.channel, Channel::Time | Channel::Other);
+    // Of those without a quantity in between, and with the same times, the first counts.
+    let mut begins: Vec<(usize, Vec<Option<f64>>)> = Vec::new();
+    for (at, column) in raw.columns.iter().enumerate() {
+        let Some(times) = seconds(column) else { continue };
+        let has_series = |begin: usize, end: usize| raw.columns[begin..end].iter().any(is_series);
+        let is_new = begins.last().is_none_or(|(begin, last)| has_series(*begin, at) && times != *last);
+        if is_new && has_series(at, raw.columns.len()) {
+            begins.push((at, times));
+        }
+    }
+    if begins.len() < 2 {
+        return vec![raw];
+    }
+    let RawTable { layout, columns, mut ignored } = raw;
+    let mut found: Vec<RawTable> = Vec::new();
+    for (at, column) in columns.into_iter().enumerate() {
+        if found.is_empty() || begins.iter().skip(1).any(|(begin, _)| *begin == at) {
+            let ignored = std::mem::take(&mut ignored);
+            found.push(RawTable { layout, columns: Vec::new(), ignored });
+        }
+        if let Some(table) = found.last_mut() {
+            table.columns.push(column);
+        }
+    }
+    // The shorter of two series side by side ends with empty cells.
+    for table in &mut found {
+        while table.columns.iter().all(|(_, cells)| cells.last().is_some_and(Token::is_empty)) {
+            table.columns.iter_mut().for_each(|(_, cells)| cells.truncate(cells.len() - 1));
+        }
+    }
+    found
+}
+
 /// The table in SI, its times rising.
 pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let RawTable { layout, mut columns, mut ignored } = raw;
