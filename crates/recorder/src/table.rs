@@ -448,6 +448,16 @@ pub enum TextRefusal {
         /// The heading.
         text: String,
     },
+    /// A heading that says how its values are meant, in words that are not clear.
+    #[error("{place}: the heading \"{heading}\" says how its values are meant, but not clearly: {instead}")]
+    Legend {
+        /// Its place.
+        place: TextPlace,
+        /// The heading.
+        heading: String,
+        /// What to write instead.
+        instead: &'static str,
+    },
     /// Rows of several records.
     #[error("the table holds several records: {records}; choose one with rows = \"{example}\"")]
     SeveralRecords {
@@ -576,6 +586,7 @@ impl TextRefusal {
             | Self::Uneven { place, .. }
             | Self::CellUnplaced { place, .. }
             | Self::HeadingUnplaced { place, .. }
+            | Self::Legend { place, .. }
             | Self::NoCodes { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeFar { place, .. }

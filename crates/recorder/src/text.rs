@@ -5,6 +5,7 @@ mod columns;
 mod delimited;
 mod flowing;
 mod heads;
+mod legend;
 mod long;
 mod raw;
 mod rows;
@@ -20,7 +21,8 @@ use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 /// row with the times across. A heading may be split over lines. In aligned columns, a cell belongs to the
 /// column in which it stands, so that an empty one shifts no other. Of several columns of times, that on the
 /// left of a quantity is its own. In `50 [81]` below `MPH [km/h]`, the number
-/// in brackets is read, which is the stored one. Values are converted to SI, and the returned times rise.
+/// in brackets is read, which is the stored one. `Brake (0 = On, 1 = Off)` and `Delta-V (left positive)` are
+/// read as they say. Values are converted to SI, and the returned times rise.
 ///
 /// # Errors
 ///

@@ -854,3 +854,54 @@ fn a_quantity_has_the_times_on_its_left() {
         assert_eq!(values(&table, Channel::DeltaVLateral, KMH), [0.0, 1.0]);
     }
 }
+
+/// A heading that says how its values are meant is read as it says, or refused.
+#[test]
+fn a_heading_says_how_its_values_are_meant() {
+    let brake = |heading: &str, cells: [&str; 3]| {
+        let [first, second, third] = cells;
+        let text =
+            format!("Time (s);Speed (km/h);{heading}\n-1;60;{first}\n-0.5;58;{second}\n0;50;{third}\n");
+        read_tables(&text).map(|tables| tables[0].values(Channel::Brake))
+    };
+    let [on, off] = [Some(1.0), Some(0.0)];
+    for heading in
+        ["Brake (0 = On, 1 = Off)", "Brake (On = 0, Off = 1)", "Brake (0: applied, 1: not applied)"]
+    {
+        assert_eq!(brake(heading, ["1", "0", "0"]), Ok(vec![off, on, on]), "{heading}");
+        // Words stay what they say.
+        assert_eq!(brake(heading, ["off", "0", "SNA"]), Ok(vec![off, on, None]), "{heading}");
+    }
+    assert_eq!(brake("Brake, 0 = on", ["1", "0", "0"]), Ok(vec![off, on, on]));
+    assert_eq!(brake("Brake (0=Off 1=On)", ["0", "1", "1"]), Ok(vec![off, on, on]));
+    assert_eq!(brake("Brake (1 = Off, 2 = On, 3 = Fault)", ["1", "2", "3"]), Ok(vec![off, on, None]));
+    assert_eq!(brake("Brake (On, Off)", ["0", "1", "1"]), Ok(vec![off, on, on]));
+    for heading in ["Brake (0 = red, 1 = green)", "Brake (0 = On, 0 = Off)", "Brake (0 = On, 1 = On)"] {
+        let said = brake(heading, ["0", "1", "1"]).unwrap_err().to_string();
+        assert!(said.starts_with("line 1, column 23: the heading \"Brake"), "{said}");
+        assert!(said.ends_with("but not clearly: write on and off for its values"), "{said}");
+    }
+    let flowing = "Time (s) Speed (km/h) Brake (0 = On, 1 = Off)\n-1 60 1\n-0.5 58 0\n0 50 0\n";
+    assert_eq!(one(flowing).values(Channel::Brake), [off, on, on]);
+
+    let pulse = |heading: &str| read_tables(&format!("Time (ms)\t{heading}\n0\t0\n10\t3\n20\t8\n"));
+    for (heading, channel, sign) in [
+        ("Longitudinal Delta-V (km/h; positive = deceleration)", Channel::DeltaVLongitudinal, -1.0),
+        ("Delta-V, longitudinal (km/h) (forward +)", Channel::DeltaVLongitudinal, 1.0),
+        ("Longitudinal Delta-V (rearward negative) (km/h)", Channel::DeltaVLongitudinal, 1.0),
+        ("Lateral Delta-V left positive (km/h)", Channel::DeltaVLateral, -1.0),
+        ("Lateral Delta-V (km/h) (+left)", Channel::DeltaVLateral, -1.0),
+        ("Lateral Delta-V (km/h) (left -, right +)", Channel::DeltaVLateral, 1.0),
+        ("Lateral Delta-V (km/h, right = positive, left = negative)", Channel::DeltaVLateral, 1.0),
+        ("Lateral Delta-V (km/h) (+/- 2)", Channel::DeltaVLateral, 1.0),
+    ] {
+        let table = pulse(heading).unwrap_or_else(|refusal| panic!("{heading}: {refusal}")).remove(0);
+        assert_eq!(values(&table, channel, KMH), [0.0, sign * 3.0, sign * 8.0], "{heading}");
+    }
+    for heading in
+        ["Lateral Delta-V (km/h) (left positive, right positive)", "Lateral Delta-V (km/h) (left/right +/-)"]
+    {
+        let said = pulse(heading).unwrap_err().to_string();
+        assert!(said.contains("not clearly: write the values positive forward and to the right"), "{said}");
+    }
+}

@@ -1,6 +1,7 @@
 //! A table as printed, and its conversion to SI.
 
 use super::heads::Head;
+use super::legend::Legend;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
 use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, unit_of};
 use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
@@ -313,7 +314,13 @@ impl Reading {
     fn of(head: Head, cells: Vec<Token>) -> Result<Self, TextRefusal> {
         let head = in_units_of_cells(head, &cells);
         let (channel, units) = (head.channel, head.unit()?);
-        let found: Vec<Result<f64, NoValue>> = cells.iter().map(|cell| value(cell, channel, units)).collect();
+        let legend = Legend::of(&head)?;
+        let of_cell = |cell: &Token| match legend.state(cell) {
+            Some(Some(on)) => Ok(f64::from(u8::from(on))),
+            Some(None) => Err(NoValue::Unreadable(cell.text.clone())),
+            None => value(cell, channel, units).map(|value| legend.signed(value)),
+        };
+        let found: Vec<Result<f64, NoValue>> = cells.iter().map(of_cell).collect();
         let values = found.iter().map(|value| value.as_ref().ok().copied()).collect();
         let doubt = |(cell, found): (&Token, Result<f64, NoValue>)| {
             found.err().map(|reason| CellDoubt { place: cell.place, channel, reason })
