@@ -905,3 +905,29 @@ fn a_heading_says_how_its_values_are_meant() {
         assert!(said.contains("not clearly: write the values positive forward and to the right"), "{said}");
     }
 }
+
+/// With the times across and single blanks, a quantity with too few values is refused, whatever they are.
+#[test]
+fn a_row_across_with_an_empty_cell_is_refused() {
+    let stability = "Stability Control (On, Off, Engaged) Off Off† Off\n";
+    for (brake, count) in [
+        ("Brake Switch Circuit Status Off On\n", 2),
+        ("Brake Switch Circuit Status On\n", 1),
+        ("Accelerator Pedal (%) 14\n", 1),
+    ] {
+        for (before, after, line) in [("", stability, 3), (stability, "", 4)] {
+            let text =
+                format!("Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\n{before}{brake}{after}");
+            let refusal = read_tables(&text).unwrap_err();
+            let TextRefusal::Uneven { place, found, expected: 3, .. } = refusal else { panic!("{refusal}") };
+            assert_eq!((place.line, found), (line, count), "{text}");
+        }
+    }
+    // The states of a switch above its values, and words that name a quantity, are no row.
+    let text = "Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\nService Brake, On Off\nOff On On\n\
+                The brake was off\n";
+    assert_eq!(
+        one(&text.replace("was off", "acted")).values(Channel::Brake),
+        [Some(0.0), Some(1.0), Some(1.0)]
+    );
+}

@@ -3,7 +3,7 @@
 use super::heads::{Head, heads, labels, quoted};
 use super::raw::RawTable;
 use super::rows::{self, Cell};
-use super::tokens::{Piece, Token, Word, bare, line, number};
+use super::tokens::{Piece, Token, Word, bare, is_value, line, number};
 use crate::channel::Channel;
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
@@ -246,7 +246,8 @@ fn segments(text: &str) -> Vec<Segment> {
     }
     // A heading at the end with nothing below it is kept, so that it is reported.
     let named = heads(&all.pending);
-    if named.len() >= 2 {
+    let is_cut = all.across().is_some() && named.iter().any(|head| cells_in(head) > 0);
+    if named.len() >= 2 || is_cut {
         all.found.push(Segment { heads: named, ..Segment::default() });
     }
     all.found
@@ -372,10 +373,28 @@ fn repeated(heads: &[Head]) -> usize {
     }
 }
 
+/// The number of values at the end of a heading, "Service Brake Off On".
+fn cells_in(head: &Head) -> usize {
+    head.text.split_whitespace().rev().take_while(|word| is_value(word)).count()
+}
+
+/// Refuses a quantity with values in its line, but fewer than there are times: which of them it has is not
+/// sure.
+fn whole(head: &Head, times: usize) -> Result<(), TextRefusal> {
+    let found = cells_in(head);
+    if found == 0 || found >= times || matches!(head.channel, Channel::Time | Channel::Other) {
+        return Ok(());
+    }
+    let columns =
+        format!("as many as there are times, for {}; write - for one that is empty", head.channel.name());
+    Err(TextRefusal::Uneven { place: head.place, found, expected: times, columns })
+}
+
 /// A table of quantities, each with its values after or below it.
-fn of_blocks(segments: Vec<Segment>) -> RawTable {
+fn of_blocks(segments: Vec<Segment>) -> Result<RawTable, TextRefusal> {
     let across = segments.iter().any(|segment| segment.lines.first().is_some_and(|line| line.len() > 1));
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
+    let times = segments.iter().find_map(Segment::across).unwrap_or(0);
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
     for segment in segments {
         // With several quantities named before the values, the last is theirs. Above the times, the other
@@ -383,7 +402,11 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
         let Some((head, above)) = segment.heads.split_last() else { continue };
         let (head, cells) = (head.clone(), segment.flat());
         if head.channel != Channel::Time {
+            above.iter().try_for_each(|head| whole(head, times))?;
             ignored.extend(above.iter().map(|head| (head.text.clone(), head.place)));
+        }
+        if cells.is_empty() {
+            whole(&head, times)?;
         }
         ignored.extend(segment.unread);
         if head.channel == Channel::Other {
@@ -392,7 +415,7 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
         }
         columns.push((head, cells));
     }
-    RawTable { layout, columns, ignored }
+    Ok(RawTable { layout, columns, ignored })
 }
 
 /// The tables of a flowing text.
@@ -402,7 +425,7 @@ pub(crate) fn tables(text: &str) -> Result<Vec<RawTable>, TextRefusal> {
     let mut rows: Option<Segment> = None;
     let mut finish = |blocks: &mut Vec<Segment>, rows: &mut Option<Segment>| -> Result<(), TextRefusal> {
         if blocks.iter().any(|segment| !segment.heads.is_empty()) {
-            found.push(of_blocks(std::mem::take(blocks)));
+            found.push(of_blocks(std::mem::take(blocks))?);
         }
         blocks.clear();
         if let Some(segment) = rows.take() {
