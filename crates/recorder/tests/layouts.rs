@@ -931,3 +931,33 @@ fn a_row_across_with_an_empty_cell_is_refused() {
         [Some(0.0), Some(1.0), Some(1.0)]
     );
 }
+
+/// No engine turns at 1.250 rpm, and a point between thousands is one if the other numbers are whole.
+#[test]
+fn a_point_in_an_engine_speed_may_be_between_thousands() {
+    let engine = |cells: [&str; 3]| {
+        let [first, second, third] = cells;
+        let table = one(&format!(
+            "Time (s) Speed (km/h) Engine RPM\n-1 60 {first}\n-0.5 58 {second}\n0 50 {third}\n"
+        ));
+        table.values(Channel::EngineSpeed)
+    };
+    assert_eq!(engine(["1.250", "1.300", "950"]), [Some(1250.0), Some(1300.0), Some(950.0)]);
+    assert_eq!(engine(["1.250*", "2200", "SNA"]), [Some(1250.0), Some(2200.0), None]);
+    assert_eq!(engine(["1,250", "1250", "0"]), [Some(1250.0), Some(1250.0), Some(0.0)]);
+    // A number with other decimals beside it leaves it open, and three decimals are three decimals.
+    assert_eq!(engine(["1.250", "812.5", "800"]), [None, Some(812.5), Some(800.0)]);
+    assert_eq!(engine(["12.000", "812.500", "800.250"]), [Some(12.0), Some(812.5), Some(800.25)]);
+    let speed = one("Time (s) Speed (km/h)\n-1 1.250\n0 2.250\n");
+    assert_eq!(values(&speed, Channel::Speed, KMH), [1.25, 2.25]);
+}
+
+/// The codes 254 and 255 of km/h, converted to whole miles per hour.
+#[test]
+fn a_code_converted_to_miles_is_no_value() {
+    let speeds = |unit: &str, first: &str| {
+        one(&format!("Time (s) Speed ({unit})\n-1 {first}\n0 40\n")).values(Channel::Speed)[0].is_some()
+    };
+    assert!(!speeds("mph", "158") && !speeds("mph", "157.8") && !speeds("km/h", "254"));
+    assert!(speeds("mph", "157") && speeds("mph", "159") && speeds("mph", "158.2") && speeds("km/h", "158"));
+}

@@ -91,7 +91,10 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
         number(&shown, channel == Channel::EngineSpeed).ok_or_else(|| NoValue::Unreadable(text.clone()))?;
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
-    let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
+    // A speed in whole miles per hour: 158 is what is printed for 254 and 255 km/h.
+    let rounds = |code: &f64| channel == Channel::Speed && (code * worth / unit.factor).round() == printed;
+    let is_code =
+        |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE || rounds(code);
     if codes.iter().any(is_code) || OF_NHTSA.contains(&printed) {
         return Err(NoValue::Code(text));
     }
@@ -315,7 +318,15 @@ impl Reading {
         let head = in_units_of_cells(head, &cells);
         let (channel, units) = (head.channel, head.unit()?);
         let legend = Legend::of(&head)?;
+        let thousands = Thousands::of(channel, &cells);
         let of_cell = |cell: &Token| match legend.state(cell) {
+            None if thousands == Thousands::Unsure && is_dotted(bare(&cell.text)) => {
+                Err(NoValue::Unreadable(cell.text.clone()))
+            }
+            None if thousands == Thousands::Points => {
+                let cell = Token { text: cell.text.replace('.', ""), ..cell.clone() };
+                value(&cell, channel, units)
+            }
             Some(Some(on)) => Ok(f64::from(u8::from(on))),
             Some(None) => Err(NoValue::Unreadable(cell.text.clone())),
             None => value(cell, channel, units).map(|value| legend.signed(value)),
@@ -350,6 +361,44 @@ impl Reading {
         let bracket = cell.bracket.as_ref().map(|bracket| format!("[{bracket}]"));
         let text = [Some(cell.text.clone()), bracket].into_iter().flatten().collect::<Vec<_>>().join(" ");
         format!("{} under \"{}\"", text.trim(), self.column.heading)
+    }
+}
+
+/// Whether a number may have a point between its thousands: `1.250`.
+fn is_dotted(text: &str) -> bool {
+    let is_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    text.split_once('.').is_some_and(|(whole, part)| {
+        (1..=2).contains(&whole.len())
+            && !whole.starts_with('0')
+            && part.len() == 3
+            && is_digits(whole)
+            && is_digits(part)
+    })
+}
+
+/// What the points in the numbers of a column are.
+#[derive(Clone, Copy, PartialEq)]
+enum Thousands {
+    /// Decimal points.
+    None,
+    /// Points between thousands.
+    Points,
+    /// Either: `1.250` beside `0.5`.
+    Unsure,
+}
+
+impl Thousands {
+    /// An engine does not turn at 1.250 rpm: the point is between thousands if the other numbers are whole.
+    fn of(channel: Channel, cells: &[Token]) -> Self {
+        let texts = || cells.iter().map(|cell| bare(&cell.text)).filter(|text| number(text, true).is_some());
+        let is_whole = |text: &str| is_dotted(text) || !text.contains('.');
+        // 850.125: three decimals, as all of them may have.
+        let has_decimals = texts().any(|text| decimals(text) == 3 && text.find('.').is_some_and(|at| at > 2));
+        match (channel == Channel::EngineSpeed && texts().any(is_dotted), has_decimals) {
+            (false, _) | (_, true) => Self::None,
+            _ if texts().all(is_whole) => Self::Points,
+            _ => Self::Unsure,
+        }
     }
 }
 
