@@ -370,6 +370,17 @@ pub enum TextRefusal {
         /// Its place.
         place: TextPlace,
     },
+    /// A heading without a known place for its times.
+    #[error(
+        "{place}: the times of \"{heading}\" are not its first column: put them first, or write a semicolon between \
+         the columns"
+    )]
+    TimeNotFirst {
+        /// The heading.
+        heading: String,
+        /// Its place.
+        place: TextPlace,
+    },
     /// Times without a quantity.
     #[error("{place}: no quantity other than the times was recognised{found}; known are {known}")]
     NoQuantity {
@@ -579,6 +590,7 @@ impl TextRefusal {
             | Self::NoColumn { .. }
             | Self::NotLong => None,
             Self::NoTime { place, .. }
+            | Self::TimeNotFirst { place, .. }
             | Self::NoQuantity { place, .. }
             | Self::NoRows { place, .. }
             | Self::Unit { place, .. }

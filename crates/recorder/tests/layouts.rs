@@ -961,3 +961,51 @@ fn a_code_converted_to_miles_is_no_value() {
     assert!(!speeds("mph", "158") && !speeds("mph", "157.8") && !speeds("km/h", "254"));
     assert!(speeds("mph", "157") && speeds("mph", "159") && speeds("mph", "158.2") && speeds("km/h", "158"));
 }
+
+/// Units of two values, in a heading or beside each time, and short names of a speed.
+#[test]
+fn units_and_names_that_leave_no_doubt_are_read() {
+    for heading in ["v [km/h]", "v (km/h)", "v_kmh", "speed_km_h"] {
+        let table = one(&format!("time_s;{heading};brake\n-1;60;0\n0;55;1\n"));
+        assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 55.0], "{heading}");
+    }
+    // A voltage is no speed.
+    let volts = one("time_s;v [V];brake\n-1;1.2;0\n0;1.3;1\n");
+    assert!(volts.column(Channel::Speed).is_none());
+    let both = "Times (sec)|Speed (MPH / km/h)|Brake\n-1.0|36 / 58|On\n-0.5|34 / 55|On\n";
+    for between in ["|", ",", " ", "      "] {
+        let table = one(&both.replace('|', between));
+        assert_eq!(values(&table, Channel::Speed, KMH), [58.0, 55.0], "{between:?}");
+        assert_eq!(values(&table, Channel::Brake, 1.0), [1.0, 1.0]);
+    }
+    let across = one("Time -1.0 sec -0.5 sec 0 sec\nVehicle Speed (km/h) 60 58 55\n");
+    assert_eq!(values(&across, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(values(&across, Channel::Speed, KMH), [60.0, 58.0, 55.0]);
+}
+
+/// A note between rows may name a quantity: the rows go on if the times do.
+#[test]
+fn a_note_between_rows_begins_no_table() {
+    let rows = |note: &str, second: &str| {
+        read_tables(&format!(
+            "Time (s) Speed (km/h) Brake\n-2.0 60 Off\n-1.5 60 Off\n{note}\n{second} 58 On\n"
+        ))
+    };
+    for note in ["*** note: speed may be affected by wheel slip", "Wheel slip affects the speed"] {
+        let table = rows(note, "-1.0").unwrap().remove(0);
+        assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 60.0, 58.0], "{note}");
+        assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 0.0, 1.0]);
+        // After another step, they may be of another table.
+        let said = rows(note, "-0.8").unwrap_err().to_string();
+        assert!(said.starts_with("line 4, column ") && said.contains("has no times here"), "{said}");
+    }
+    // A note after the rows is not read.
+    let table = one("Time (s) Speed (km/h)\n-1 60\n0 50\nnote: speed and service brake may be wrong\n");
+    assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 50.0]);
+    assert_eq!(table.ignored.len(), 2);
+    // Times that are the last column of text without separators are not told from a title.
+    let said = read_tables("Brake Speed (km/h) Time (s)\nOff 60 -1.0\nOn 58 -0.5\n").unwrap_err().to_string();
+    let expected = "line 1, column 1: the times of \"Brake Speed (km/h) Time (s)\" are not its first column: put \
+                    them first, or write a semicolon between the columns";
+    assert_eq!(said, expected);
+}

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::heads::{Head, heading, quoted};
 use super::raw::RawTable;
 use super::tokens::{Token, Word, bare, is_value, number};
-use crate::channel::Channel;
+use crate::channel::{Channel, plain, unit_of};
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
 /// A field of a line.
@@ -47,6 +47,13 @@ pub(super) fn token(field: &Field) -> Token {
     if text.eq_ignore_ascii_case("trg") {
         return Token { text: "0".to_owned(), bracket: None, place };
     }
+    // 36 / 58, with both units in the heading.
+    if let Some((value, second)) = text.split_once(" / ")
+        && [value, second].iter().all(|text| number(text.trim(), false).is_some())
+    {
+        let bracket = Some(second.trim().to_owned());
+        return Token { text: value.trim().to_owned(), bracket, place };
+    }
     match text.split_once('[') {
         Some((value, bracket)) => Token {
             text: value.trim().to_owned(),
@@ -71,7 +78,13 @@ pub(super) fn head(text: &str, place: TextPlace) -> Option<Head> {
     let whole = text.trim().to_lowercase();
     let is_time =
         matches!(whole.as_str(), "ms" | "msec" | "s" | "sec" | "t" | "t (s)" | "t [s]" | "t (ms)" | "t [ms]");
-    let text = if is_time { format!("Time {text}") } else { text.to_owned() };
+    let is_speed = matches!(*plain(&whole).split_whitespace().collect::<Vec<_>>(), ["v", unit]
+        if unit_of(unit).is_some_and(|unit| Channel::Speed.takes(&unit)));
+    let text = match (is_time, is_speed) {
+        (true, _) => format!("Time {text}"),
+        (_, true) => format!("Speed {text}"),
+        _ => text.replace("km_h", "km/h"),
+    };
     let mut words = Vec::new();
     let mut depth = 0_i32;
     for piece in text.split_whitespace().flat_map(split_opening) {

@@ -52,6 +52,16 @@ fn trailing(pieces: &[Piece], pending: &[Word]) -> usize {
     if heads(&with(pending, &pieces[..pieces.len() - count])).is_empty() { 0 } else { count }
 }
 
+/// Times in the line of their name, each with its unit: "Time -1.0 sec -0.5 sec".
+fn times_across(pieces: &[Piece]) -> Option<Line> {
+    let first = pieces.iter().position(|piece| matches!(piece, Piece::Value(_)))?;
+    let (label, values) = pieces.split_at(first);
+    let cells = rows::cells(values);
+    let is_time = channels(&heads(&with(&[], label))) == [Channel::Time];
+    let are_values = cells.len() > 1 && cells.len() < values.len() && cells.iter().all(|cell| !cell.is_word);
+    (is_time && are_values).then(|| Line::Labelled(label.to_vec(), rows::tokens(cells)))
+}
+
 fn word(piece: &Piece) -> Option<Word> {
     match piece {
         Piece::Word(word) => Some(word.clone()),
@@ -113,6 +123,9 @@ impl Segments {
         }
         if let Some(row) = self.row_across(&pieces) {
             return row;
+        }
+        if let Some(times) = times_across(&pieces) {
+            return times;
         }
         let count = trailing(&pieces, &self.pending);
         let (label, values) = pieces.split_at(pieces.len() - count);
@@ -187,6 +200,7 @@ impl Segments {
     }
 
     fn add(&mut self, line: Line) {
+        let is_below = matches!(line, Line::Values(_));
         let (words, values) = match line {
             Line::Values(values) => (Vec::new(), values),
             Line::Labelled(words, values) => (words, values),
@@ -203,6 +217,9 @@ impl Segments {
             self.pending.drain(..self.pending.len().saturating_sub(LONGEST_HEADING));
             return;
         }
+        if is_below && self.goes_on(&values) {
+            self.pending.clear();
+        }
         let named = self.named();
         let in_rows = self.found.last().is_some_and(|last| row_width(&last.heads).is_some());
         // A footer between the rows of a table names nothing: the rows go on.
@@ -215,6 +232,23 @@ impl Segments {
         if let Some(segment) = self.found.last_mut() {
             segment.lines.push(values);
         }
+    }
+
+    /// Whether a line is the next row of the table although the words before it name a quantity, as a note may:
+    /// its time follows after the same step.
+    fn goes_on(&self, values: &[Token]) -> bool {
+        let names_time = [heads(&self.pending), labels(&self.pending)]
+            .concat()
+            .iter()
+            .any(|head| head.channel == Channel::Time);
+        let Some(last) = self.found.last().filter(|_| !names_time) else { return false };
+        let [.., before, now] = last.lines.as_slice() else { return false };
+        let time = |row: &[Token]| number(bare(&row.first()?.text), false);
+        let (Some(before), Some(now), Some(next)) = (time(before), time(now), time(values)) else {
+            return false;
+        };
+        let step = now - before;
+        row_width(&last.heads) == Some(values.len()) && (next - now - step).abs() < 0.01 * step.abs()
     }
 
     /// The headings that the waiting words name: columns, or one quantity in each line.
@@ -424,6 +458,14 @@ pub(crate) fn tables(text: &str) -> Result<Vec<RawTable>, TextRefusal> {
     let mut blocks: Vec<Segment> = Vec::new();
     let mut rows: Option<Segment> = None;
     let mut finish = |blocks: &mut Vec<Segment>, rows: &mut Option<Segment>| -> Result<(), TextRefusal> {
+        let is_note = |segment: &Segment| {
+            segment.lines.is_empty() && !segment.heads.iter().any(|head| cells_in(head) > 0)
+        };
+        if let Some(open) = rows.as_mut().filter(|_| blocks.iter().all(is_note)) {
+            // Words that follow the rows, and name quantities without values.
+            let heads = blocks.drain(..).flat_map(|segment| segment.heads);
+            open.unread.extend(heads.map(|head| (head.text, head.place)));
+        }
         if blocks.iter().any(|segment| !segment.heads.is_empty()) {
             found.push(of_blocks(std::mem::take(blocks))?);
         }

@@ -3,7 +3,7 @@
 use super::heads::Head;
 use super::legend::Legend;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
-use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, unit_of};
+use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, plain, unit_of};
 use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
 
 /// Columns with their cells as printed.
@@ -163,6 +163,11 @@ fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Re
     Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
 }
 
+/// Whether a word of a heading is the name of a time.
+fn names_time(heading: &str) -> bool {
+    heading.split_whitespace().any(|word| heading_at(&[&plain(word)]) == Some((Channel::Time, 1)))
+}
+
 /// (s) the times of a column, `None` where a cell is empty; `None` unless all others are numbers with a unit.
 fn seconds((head, cells): &(Head, Vec<Token>)) -> Option<Vec<Option<f64>>> {
     let head = in_units_of_cells(head.clone(), cells);
@@ -216,11 +221,11 @@ pub(crate) fn by_times(raw: RawTable) -> Vec<RawTable> {
 pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let RawTable { layout, mut columns, mut ignored } = raw;
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
-        return Err(match columns.first() {
-            Some((head, _)) => TextRefusal::NoTime { heading: head.text.clone(), place: head.place },
-            None => TextRefusal::NoHeading {
-                begins: ignored.into_iter().next().map(|(text, _)| text).unwrap_or_default(),
-            },
+        let first = columns.into_iter().map(|(head, _)| (head.text, head.place)).chain(ignored).next();
+        return Err(match first {
+            Some((heading, place)) if names_time(&heading) => TextRefusal::TimeNotFirst { heading, place },
+            Some((heading, place)) => TextRefusal::NoTime { heading, place },
+            None => TextRefusal::NoHeading { begins: String::new() },
         });
     };
     while columns[time].1.last().is_some_and(Token::is_empty) && layout == TextLayout::Transposed {
