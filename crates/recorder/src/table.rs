@@ -370,6 +370,17 @@ pub enum TextRefusal {
         /// Its place.
         place: TextPlace,
     },
+    /// A heading without a known place for its times.
+    #[error(
+        "{place}: the times of \"{heading}\" are not its first column: put them first, or write a semicolon between \
+         the columns"
+    )]
+    TimeNotFirst {
+        /// The heading.
+        heading: String,
+        /// Its place.
+        place: TextPlace,
+    },
     /// Times without a quantity.
     #[error("{place}: no quantity other than the times was recognised{found}; known are {known}")]
     NoQuantity {
@@ -425,6 +436,38 @@ pub enum TextRefusal {
         expected: usize,
         /// The headings.
         columns: String,
+    },
+    /// A cell in aligned columns that stands in none of them for sure.
+    #[error(
+        "{place}: \"{text}\" stands in no column for sure: line it up with the rows above and below, write - for a \
+         value that is empty, or write the table with a semicolon between its columns"
+    )]
+    CellUnplaced {
+        /// The place of the first cell.
+        place: TextPlace,
+        /// The cells.
+        text: String,
+    },
+    /// A part of a heading in aligned columns that stands over none of them for sure.
+    #[error(
+        "{place}: it is not sure over which columns the heading \"{text}\" stands: write the whole heading of each \
+         column in one line, with a semicolon between the columns of the heading and of the rows"
+    )]
+    HeadingUnplaced {
+        /// Its place.
+        place: TextPlace,
+        /// The heading.
+        text: String,
+    },
+    /// A heading that says how its values are meant, in words that are not clear.
+    #[error("{place}: the heading \"{heading}\" says how its values are meant, but not clearly: {instead}")]
+    Legend {
+        /// Its place.
+        place: TextPlace,
+        /// The heading.
+        heading: String,
+        /// What to write instead.
+        instead: &'static str,
     },
     /// Rows of several records.
     #[error("the table holds several records: {records}; choose one with rows = \"{example}\"")]
@@ -547,11 +590,15 @@ impl TextRefusal {
             | Self::NoColumn { .. }
             | Self::NotLong => None,
             Self::NoTime { place, .. }
+            | Self::TimeNotFirst { place, .. }
             | Self::NoQuantity { place, .. }
             | Self::NoRows { place, .. }
             | Self::Unit { place, .. }
             | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
+            | Self::CellUnplaced { place, .. }
+            | Self::HeadingUnplaced { place, .. }
+            | Self::Legend { place, .. }
             | Self::NoCodes { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeFar { place, .. }

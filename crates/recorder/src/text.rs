@@ -1,9 +1,11 @@
 //! Reads a recorder's table from text: CSV, or text copied out of a printed report.
 
+mod aligned;
 mod columns;
 mod delimited;
 mod flowing;
 mod heads;
+mod legend;
 mod long;
 mod raw;
 mod rows;
@@ -16,8 +18,11 @@ use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 ///
 /// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
 /// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
-/// row with the times across. A heading may be split over lines. In `50 [81]` below `MPH [km/h]`, the number
-/// in brackets is read, which is the stored one. Values are converted to SI, and the returned times rise.
+/// row with the times across. A heading may be split over lines. In aligned columns, a cell belongs to the
+/// column in which it stands, so that an empty one shifts no other. Of several columns of times, that on the
+/// left of a quantity is its own. In `50 [81]` below `MPH [km/h]`, the number
+/// in brackets is read, which is the stored one. `Brake (0 = On, 1 = Off)` and `Delta-V (left positive)` are
+/// read as they say. Values are converted to SI, and the returned times rise.
 ///
 /// # Errors
 ///
@@ -48,14 +53,17 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
     if !rows.trim().is_empty() {
         return Err(TextRefusal::NotLong);
     }
-    let raw = match delimited::layout(&text) {
-        Some(layout) => delimited::tables(&text, layout)?,
-        None => flowing::tables(&text)?,
+    let raw = match delimited::delimiter(&text) {
+        Some(delimiter) => delimited::tables(&text, delimiter)?,
+        None => match aligned::tables(&text)? {
+            Some(tables) => tables,
+            None => flowing::tables(&text)?,
+        },
     };
     if raw.is_empty() {
         return Err(no_heading(&text));
     }
-    raw.into_iter().map(raw::finish).collect()
+    raw.into_iter().flat_map(raw::by_times).map(raw::finish).collect()
 }
 
 /// (characters) of the beginning of a text in a message.

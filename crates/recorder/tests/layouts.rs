@@ -824,3 +824,188 @@ fn tables_of_one_record_are_joined_by_their_times() {
     one.join(two);
     assert_eq!(one.times(), [-1.0, -0.5, 0.0, 0.5, 1.0]);
 }
+
+/// Two series side by side, each with its own times, are two tables.
+#[test]
+fn a_quantity_has_the_times_on_its_left() {
+    let text = "Time (ms),Longitudinal Delta-V (km/h),Time (ms),Lateral Delta-V (km/h)\n\
+                0,0,5,0\n10,-3,15,1\n20,-9,25,4\n30,-15,,\n";
+    for (between, whole) in
+        [(",", true), (";", true), ("\t", true), ("|", true), (" ", false), ("    ", false)]
+    {
+        let text = if whole { text.to_owned() } else { text.replace("30,-15,,\n", "") };
+        let tables = read_tables(&text.replace(',', between)).unwrap();
+        assert_eq!(tables.len(), 2, "{between:?}");
+        let along = [0.0, -3.0, -9.0, -15.0];
+        let along = if whole { &along[..] } else { &along[..3] };
+        assert_eq!(values(&tables[0], Channel::DeltaVLongitudinal, KMH), along);
+        assert_eq!(values(&tables[1], Channel::Time, 1e-3), [5.0, 15.0, 25.0]);
+        assert_eq!(values(&tables[1], Channel::DeltaVLateral, KMH), [0.0, 1.0, 4.0]);
+        assert!(tables[0].column(Channel::DeltaVLateral).is_none());
+    }
+    // The same times again, or in another unit, or times without a quantity, make no other table.
+    for text in [
+        "Time (ms),Longitudinal Delta-V (km/h),Time (s),Lateral Delta-V (km/h)\n0,0,0,0\n10,-3,0.010,1\n",
+        "Time (ms),Longitudinal Delta-V (km/h),Lateral Delta-V (km/h),Time (ms)\n0,0,0,5\n10,-3,1,15\n",
+        "Time (ms),Time (s),Longitudinal Delta-V (km/h),Lateral Delta-V (km/h)\n0,3,0,0\n10,4,-3,1\n",
+    ] {
+        let table = one(text);
+        assert_eq!(values(&table, Channel::Time, 1e-3), [0.0, 10.0]);
+        assert_eq!(values(&table, Channel::DeltaVLateral, KMH), [0.0, 1.0]);
+    }
+}
+
+/// A heading that says how its values are meant is read as it says, or refused.
+#[test]
+fn a_heading_says_how_its_values_are_meant() {
+    let brake = |heading: &str, cells: [&str; 3]| {
+        let [first, second, third] = cells;
+        let text =
+            format!("Time (s);Speed (km/h);{heading}\n-1;60;{first}\n-0.5;58;{second}\n0;50;{third}\n");
+        read_tables(&text).map(|tables| tables[0].values(Channel::Brake))
+    };
+    let [on, off] = [Some(1.0), Some(0.0)];
+    for heading in
+        ["Brake (0 = On, 1 = Off)", "Brake (On = 0, Off = 1)", "Brake (0: applied, 1: not applied)"]
+    {
+        assert_eq!(brake(heading, ["1", "0", "0"]), Ok(vec![off, on, on]), "{heading}");
+        // Words stay what they say.
+        assert_eq!(brake(heading, ["off", "0", "SNA"]), Ok(vec![off, on, None]), "{heading}");
+    }
+    assert_eq!(brake("Brake, 0 = on", ["1", "0", "0"]), Ok(vec![off, on, on]));
+    assert_eq!(brake("Brake (0=Off 1=On)", ["0", "1", "1"]), Ok(vec![off, on, on]));
+    assert_eq!(brake("Brake (1 = Off, 2 = On, 3 = Fault)", ["1", "2", "3"]), Ok(vec![off, on, None]));
+    assert_eq!(brake("Brake (On, Off)", ["0", "1", "1"]), Ok(vec![off, on, on]));
+    for heading in ["Brake (0 = red, 1 = green)", "Brake (0 = On, 0 = Off)", "Brake (0 = On, 1 = On)"] {
+        let said = brake(heading, ["0", "1", "1"]).unwrap_err().to_string();
+        assert!(said.starts_with("line 1, column 23: the heading \"Brake"), "{said}");
+        assert!(said.ends_with("but not clearly: write on and off for its values"), "{said}");
+    }
+    let flowing = "Time (s) Speed (km/h) Brake (0 = On, 1 = Off)\n-1 60 1\n-0.5 58 0\n0 50 0\n";
+    assert_eq!(one(flowing).values(Channel::Brake), [off, on, on]);
+
+    let pulse = |heading: &str| read_tables(&format!("Time (ms)\t{heading}\n0\t0\n10\t3\n20\t8\n"));
+    for (heading, channel, sign) in [
+        ("Longitudinal Delta-V (km/h; positive = deceleration)", Channel::DeltaVLongitudinal, -1.0),
+        ("Delta-V, longitudinal (km/h) (forward +)", Channel::DeltaVLongitudinal, 1.0),
+        ("Longitudinal Delta-V (rearward negative) (km/h)", Channel::DeltaVLongitudinal, 1.0),
+        ("Lateral Delta-V left positive (km/h)", Channel::DeltaVLateral, -1.0),
+        ("Lateral Delta-V (km/h) (+left)", Channel::DeltaVLateral, -1.0),
+        ("Lateral Delta-V (km/h) (left -, right +)", Channel::DeltaVLateral, 1.0),
+        ("Lateral Delta-V (km/h, right = positive, left = negative)", Channel::DeltaVLateral, 1.0),
+        ("Lateral Delta-V (km/h) (+/- 2)", Channel::DeltaVLateral, 1.0),
+    ] {
+        let table = pulse(heading).unwrap_or_else(|refusal| panic!("{heading}: {refusal}")).remove(0);
+        assert_eq!(values(&table, channel, KMH), [0.0, sign * 3.0, sign * 8.0], "{heading}");
+    }
+    for heading in
+        ["Lateral Delta-V (km/h) (left positive, right positive)", "Lateral Delta-V (km/h) (left/right +/-)"]
+    {
+        let said = pulse(heading).unwrap_err().to_string();
+        assert!(said.contains("not clearly: write the values positive forward and to the right"), "{said}");
+    }
+}
+
+/// With the times across and single blanks, a quantity with too few values is refused, whatever they are.
+#[test]
+fn a_row_across_with_an_empty_cell_is_refused() {
+    let stability = "Stability Control (On, Off, Engaged) Off Off† Off\n";
+    for (brake, count) in [
+        ("Brake Switch Circuit Status Off On\n", 2),
+        ("Brake Switch Circuit Status On\n", 1),
+        ("Accelerator Pedal (%) 14\n", 1),
+    ] {
+        for (before, after, line) in [("", stability, 3), (stability, "", 4)] {
+            let text =
+                format!("Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\n{before}{brake}{after}");
+            let refusal = read_tables(&text).unwrap_err();
+            let TextRefusal::Uneven { place, found, expected: 3, .. } = refusal else { panic!("{refusal}") };
+            assert_eq!((place.line, found), (line, count), "{text}");
+        }
+    }
+    // The states of a switch above its values, and words that name a quantity, are no row.
+    let text = "Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\nService Brake, On Off\nOff On On\n\
+                The brake was off\n";
+    assert_eq!(
+        one(&text.replace("was off", "acted")).values(Channel::Brake),
+        [Some(0.0), Some(1.0), Some(1.0)]
+    );
+}
+
+/// No engine turns at 1.250 rpm, and a point between thousands is one if the other numbers are whole.
+#[test]
+fn a_point_in_an_engine_speed_may_be_between_thousands() {
+    let engine = |cells: [&str; 3]| {
+        let [first, second, third] = cells;
+        let table = one(&format!(
+            "Time (s) Speed (km/h) Engine RPM\n-1 60 {first}\n-0.5 58 {second}\n0 50 {third}\n"
+        ));
+        table.values(Channel::EngineSpeed)
+    };
+    assert_eq!(engine(["1.250", "1.300", "950"]), [Some(1250.0), Some(1300.0), Some(950.0)]);
+    assert_eq!(engine(["1.250*", "2200", "SNA"]), [Some(1250.0), Some(2200.0), None]);
+    assert_eq!(engine(["1,250", "1250", "0"]), [Some(1250.0), Some(1250.0), Some(0.0)]);
+    // A number with other decimals beside it leaves it open, and three decimals are three decimals.
+    assert_eq!(engine(["1.250", "812.5", "800"]), [None, Some(812.5), Some(800.0)]);
+    assert_eq!(engine(["12.000", "812.500", "800.250"]), [Some(12.0), Some(812.5), Some(800.25)]);
+    let speed = one("Time (s) Speed (km/h)\n-1 1.250\n0 2.250\n");
+    assert_eq!(values(&speed, Channel::Speed, KMH), [1.25, 2.25]);
+}
+
+/// The codes 254 and 255 of km/h, converted to whole miles per hour.
+#[test]
+fn a_code_converted_to_miles_is_no_value() {
+    let speeds = |unit: &str, first: &str| {
+        one(&format!("Time (s) Speed ({unit})\n-1 {first}\n0 40\n")).values(Channel::Speed)[0].is_some()
+    };
+    assert!(!speeds("mph", "158") && !speeds("mph", "157.8") && !speeds("km/h", "254"));
+    assert!(speeds("mph", "157") && speeds("mph", "159") && speeds("mph", "158.2") && speeds("km/h", "158"));
+}
+
+/// Units of two values, in a heading or beside each time, and short names of a speed.
+#[test]
+fn units_and_names_that_leave_no_doubt_are_read() {
+    for heading in ["v [km/h]", "v (km/h)", "v_kmh", "speed_km_h"] {
+        let table = one(&format!("time_s;{heading};brake\n-1;60;0\n0;55;1\n"));
+        assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 55.0], "{heading}");
+    }
+    // A voltage is no speed.
+    let volts = one("time_s;v [V];brake\n-1;1.2;0\n0;1.3;1\n");
+    assert!(volts.column(Channel::Speed).is_none());
+    let both = "Times (sec)|Speed (MPH / km/h)|Brake\n-1.0|36 / 58|On\n-0.5|34 / 55|On\n";
+    for between in ["|", ",", " ", "      "] {
+        let table = one(&both.replace('|', between));
+        assert_eq!(values(&table, Channel::Speed, KMH), [58.0, 55.0], "{between:?}");
+        assert_eq!(values(&table, Channel::Brake, 1.0), [1.0, 1.0]);
+    }
+    let across = one("Time -1.0 sec -0.5 sec 0 sec\nVehicle Speed (km/h) 60 58 55\n");
+    assert_eq!(values(&across, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(values(&across, Channel::Speed, KMH), [60.0, 58.0, 55.0]);
+}
+
+/// A note between rows may name a quantity: the rows go on if the times do.
+#[test]
+fn a_note_between_rows_begins_no_table() {
+    let rows = |note: &str, second: &str| {
+        read_tables(&format!(
+            "Time (s) Speed (km/h) Brake\n-2.0 60 Off\n-1.5 60 Off\n{note}\n{second} 58 On\n"
+        ))
+    };
+    for note in ["*** note: speed may be affected by wheel slip", "Wheel slip affects the speed"] {
+        let table = rows(note, "-1.0").unwrap().remove(0);
+        assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 60.0, 58.0], "{note}");
+        assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 0.0, 1.0]);
+        // After another step, they may be of another table.
+        let said = rows(note, "-0.8").unwrap_err().to_string();
+        assert!(said.starts_with("line 4, column ") && said.contains("has no times here"), "{said}");
+    }
+    // A note after the rows is not read.
+    let table = one("Time (s) Speed (km/h)\n-1 60\n0 50\nnote: speed and service brake may be wrong\n");
+    assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 50.0]);
+    assert_eq!(table.ignored.len(), 2);
+    // Times that are the last column of text without separators are not told from a title.
+    let said = read_tables("Brake Speed (km/h) Time (s)\nOff 60 -1.0\nOn 58 -0.5\n").unwrap_err().to_string();
+    let expected = "line 1, column 1: the times of \"Brake Speed (km/h) Time (s)\" are not its first column: put \
+                    them first, or write a semicolon between the columns";
+    assert_eq!(said, expected);
+}

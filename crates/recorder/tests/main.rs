@@ -5,6 +5,8 @@
 #![expect(clippy::cast_precision_loss, reason = "counts of draws are small")]
 
 #[cfg(test)]
+mod aligned;
+#[cfg(test)]
 mod bounds;
 #[cfg(test)]
 mod examples;

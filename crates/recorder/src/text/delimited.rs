@@ -1,11 +1,11 @@
-//! Text with a character between its fields, or two spaces.
+//! Text with a character between its fields.
 
 use std::borrow::Cow;
 
 use super::heads::{Head, heading, quoted};
 use super::raw::RawTable;
 use super::tokens::{Token, Word, bare, is_value, number};
-use crate::channel::Channel;
+use crate::channel::{Channel, plain, unit_of};
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
 /// A field of a line.
@@ -16,52 +16,43 @@ pub(super) struct Field {
 }
 
 /// The fields of a line, quotes taken off.
-pub(super) fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
+pub(super) fn fields(line: &str, number: usize, delimiter: char) -> Vec<Field> {
     let mut found = Vec::new();
     let (mut text, mut column, mut first, mut quoted) = (String::new(), 0, 1, false);
-    let mut letters = line.chars().peekable();
     let mut close = |text: &mut String, first: usize| {
         let lead = text.chars().take_while(|letter| letter.is_whitespace()).count();
         let place = TextPlace { line: number, column: first + lead };
         found.push(Field { text: text.trim().to_owned(), place });
         text.clear();
     };
-    while let Some(letter) = letters.next() {
+    for letter in line.chars() {
         column += 1;
-        let ends = match layout {
-            TextLayout::Delimited(delimiter) => letter == delimiter,
-            _ => letter == ' ' && letters.peek() == Some(&' ') && !text.is_empty(),
-        };
         match letter {
             '"' => quoted = !quoted,
-            _ if ends && !quoted => {
+            _ if letter == delimiter && !quoted => {
                 close(&mut text, first);
                 first = column + 1;
-                while layout == TextLayout::Aligned && letters.peek() == Some(&' ') {
-                    letters.next();
-                    column += 1;
-                    first = column + 1;
-                }
             }
-            ' ' if text.is_empty() && layout == TextLayout::Aligned => first = column + 1,
             _ => text.push(letter),
         }
     }
     close(&mut text, first);
-    if layout == TextLayout::Aligned {
-        while found.last().is_some_and(|field| field.text.is_empty()) {
-            found.pop();
-        }
-    }
     found
 }
 
 /// The value of a field: `50 [81]`, `0 (TRG)`.
-fn token(field: &Field) -> Token {
+pub(super) fn token(field: &Field) -> Token {
     let place = field.place;
     let text = field.text.trim_end_matches("(TRG)").trim();
     if text.eq_ignore_ascii_case("trg") {
         return Token { text: "0".to_owned(), bracket: None, place };
+    }
+    // 36 / 58, with both units in the heading.
+    if let Some((value, second)) = text.split_once(" / ")
+        && [value, second].iter().all(|text| number(text.trim(), false).is_some())
+    {
+        let bracket = Some(second.trim().to_owned());
+        return Token { text: value.trim().to_owned(), bracket, place };
     }
     match text.split_once('[') {
         Some((value, bracket)) => Token {
@@ -73,7 +64,7 @@ fn token(field: &Field) -> Token {
     }
 }
 
-fn holds_values(fields: &[Field]) -> bool {
+pub(super) fn holds_values(fields: &[Field]) -> bool {
     let mut filled = fields.iter().filter(|field| !field.text.is_empty()).peekable();
     filled.peek().is_some()
         && filled.all(|field| {
@@ -83,11 +74,17 @@ fn holds_values(fields: &[Field]) -> bool {
 }
 
 /// The quantity that the heading of a column names.
-fn head(text: &str, place: TextPlace) -> Option<Head> {
+pub(super) fn head(text: &str, place: TextPlace) -> Option<Head> {
     let whole = text.trim().to_lowercase();
     let is_time =
         matches!(whole.as_str(), "ms" | "msec" | "s" | "sec" | "t" | "t (s)" | "t [s]" | "t (ms)" | "t [ms]");
-    let text = if is_time { format!("Time {text}") } else { text.to_owned() };
+    let is_speed = matches!(*plain(&whole).split_whitespace().collect::<Vec<_>>(), ["v", unit]
+        if unit_of(unit).is_some_and(|unit| Channel::Speed.takes(&unit)));
+    let text = match (is_time, is_speed) {
+        (true, _) => format!("Time {text}"),
+        (_, true) => format!("Speed {text}"),
+        _ => text.replace("km_h", "km/h"),
+    };
     let mut words = Vec::new();
     let mut depth = 0_i32;
     for piece in text.split_whitespace().flat_map(split_opening) {
@@ -142,8 +139,8 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
 
 /// Whether this is how the fields of the text are divided: its heading names a time, and its lines of values
 /// have as many fields as the heading.
-fn divides(text: &str, layout: TextLayout) -> bool {
-    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, layout)).collect();
+fn divides(text: &str, delimiter: char) -> bool {
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, delimiter)).collect();
     let named =
         |fields: &[Field]| fields.len() >= 2 && fields.iter().any(|field| is_time(&field.text, field.place));
     let Some(heading) = rows.iter().find(|fields| named(fields) && !holds_values(fields)) else {
@@ -160,7 +157,7 @@ fn divides(text: &str, layout: TextLayout) -> bool {
 }
 
 /// Whether the lines begin with a quantity and go on with its values.
-fn is_transposed(rows: &[Vec<Field>]) -> bool {
+pub(super) fn is_transposed(rows: &[Vec<Field>]) -> bool {
     let begins = |fields: &&Vec<Field>| label(fields, None).is_some_and(|(_, values)| values.len() >= 2);
     let count = rows.iter().filter(begins).count();
     count >= 2 && rows.iter().filter(|fields| holds_values(fields)).count() == 0
@@ -168,7 +165,7 @@ fn is_transposed(rows: &[Vec<Field>]) -> bool {
 
 /// A quantity at the beginning of a line, and the values after it. If there are as many cells as times, some
 /// may have words.
-fn label(fields: &[Field], times: Option<usize>) -> Option<(Head, &[Field])> {
+pub(super) fn label(fields: &[Field], times: Option<usize>) -> Option<(Head, &[Field])> {
     let has_value = |field: &Field| {
         let token = token(field);
         is_value(&token.text) || token.text.is_empty()
@@ -182,21 +179,15 @@ fn label(fields: &[Field], times: Option<usize>) -> Option<(Head, &[Field])> {
     (of_times.is_some() || holds_values(values)).then_some((found, values))
 }
 
-/// The layout by fields that the text has, if it has one.
-pub(crate) fn layout(text: &str) -> Option<TextLayout> {
-    let candidates = [
-        TextLayout::Delimited('\t'),
-        TextLayout::Delimited(';'),
-        TextLayout::Delimited(','),
-        TextLayout::Delimited('|'),
-        TextLayout::Aligned,
-    ];
-    candidates.into_iter().find(|layout| divides(text, *layout))
+/// The character between the fields of the text, if there is one.
+pub(super) fn delimiter(text: &str) -> Option<char> {
+    ['\t', ';', ',', '|'].into_iter().find(|delimiter| divides(text, *delimiter))
 }
 
-/// The tables of a text with this layout.
-pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, TextRefusal> {
-    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, layout)).collect();
+/// The tables of a text with this character between its fields.
+pub(super) fn tables(text: &str, delimiter: char) -> Result<Vec<RawTable>, TextRefusal> {
+    let layout = TextLayout::Delimited(delimiter);
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, delimiter)).collect();
     if is_transposed(&rows) {
         return Ok(transposed(&rows));
     }
@@ -252,7 +243,7 @@ fn is_row(fields: &[Field], time: usize) -> bool {
 }
 
 /// Whether a line has as many fields as the table, and values in half of them: a row without a valid time.
-fn is_full(fields: &[Field], width: usize) -> bool {
+pub(super) fn is_full(fields: &[Field], width: usize) -> bool {
     let values = fields.iter().filter(|field| is_value(&token(field).text)).count();
     width > 2 && fields.len() == width && values * 2 >= width
 }
@@ -265,7 +256,7 @@ fn leave(table: &mut RawTable, heading: &mut Vec<(String, TextPlace)>) {
     table.ignored.extend(place.map(|place| (text, place)));
 }
 
-fn is_time(text: &str, place: TextPlace) -> bool {
+pub(super) fn is_time(text: &str, place: TextPlace) -> bool {
     head(text, place).is_some_and(|head| head.channel == Channel::Time)
 }
 
@@ -298,7 +289,7 @@ fn add_row(table: &mut RawTable, fields: &[Field]) -> Result<(), TextRefusal> {
 }
 
 /// Takes the columns that are not read out of the table.
-fn close(table: &mut RawTable) {
+pub(super) fn close(table: &mut RawTable) {
     let (unread, columns) =
         std::mem::take(&mut table.columns).into_iter().partition(|(head, _)| head.channel == Channel::Other);
     table.columns = columns;
@@ -307,7 +298,7 @@ fn close(table: &mut RawTable) {
     table.ignored.extend(named.map(|(head, _)| (head.text, head.place)));
 }
 
-fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
+pub(super) fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
     let mut found: Vec<RawTable> = Vec::new();
     for fields in rows {
         let times = found.last().and_then(|table| table.columns.first()).map(|(_, cells)| cells.len());

@@ -3,7 +3,7 @@
 use super::heads::{Head, heads, labels, quoted};
 use super::raw::RawTable;
 use super::rows::{self, Cell};
-use super::tokens::{Piece, Token, Word, bare, line, number};
+use super::tokens::{Piece, Token, Word, bare, is_value, line, number};
 use crate::channel::Channel;
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
@@ -50,6 +50,16 @@ fn trailing(pieces: &[Piece], pending: &[Word]) -> usize {
         return 0;
     }
     if heads(&with(pending, &pieces[..pieces.len() - count])).is_empty() { 0 } else { count }
+}
+
+/// Times in the line of their name, each with its unit: "Time -1.0 sec -0.5 sec".
+fn times_across(pieces: &[Piece]) -> Option<Line> {
+    let first = pieces.iter().position(|piece| matches!(piece, Piece::Value(_)))?;
+    let (label, values) = pieces.split_at(first);
+    let cells = rows::cells(values);
+    let is_time = channels(&heads(&with(&[], label))) == [Channel::Time];
+    let are_values = cells.len() > 1 && cells.len() < values.len() && cells.iter().all(|cell| !cell.is_word);
+    (is_time && are_values).then(|| Line::Labelled(label.to_vec(), rows::tokens(cells)))
 }
 
 fn word(piece: &Piece) -> Option<Word> {
@@ -113,6 +123,9 @@ impl Segments {
         }
         if let Some(row) = self.row_across(&pieces) {
             return row;
+        }
+        if let Some(times) = times_across(&pieces) {
+            return times;
         }
         let count = trailing(&pieces, &self.pending);
         let (label, values) = pieces.split_at(pieces.len() - count);
@@ -187,6 +200,7 @@ impl Segments {
     }
 
     fn add(&mut self, line: Line) {
+        let is_below = matches!(line, Line::Values(_));
         let (words, values) = match line {
             Line::Values(values) => (Vec::new(), values),
             Line::Labelled(words, values) => (words, values),
@@ -203,6 +217,9 @@ impl Segments {
             self.pending.drain(..self.pending.len().saturating_sub(LONGEST_HEADING));
             return;
         }
+        if is_below && self.goes_on(&values) {
+            self.pending.clear();
+        }
         let named = self.named();
         let in_rows = self.found.last().is_some_and(|last| row_width(&last.heads).is_some());
         // A footer between the rows of a table names nothing: the rows go on.
@@ -215,6 +232,23 @@ impl Segments {
         if let Some(segment) = self.found.last_mut() {
             segment.lines.push(values);
         }
+    }
+
+    /// Whether a line is the next row of the table although the words before it name a quantity, as a note may:
+    /// its time follows after the same step.
+    fn goes_on(&self, values: &[Token]) -> bool {
+        let names_time = [heads(&self.pending), labels(&self.pending)]
+            .concat()
+            .iter()
+            .any(|head| head.channel == Channel::Time);
+        let Some(last) = self.found.last().filter(|_| !names_time) else { return false };
+        let [.., before, now] = last.lines.as_slice() else { return false };
+        let time = |row: &[Token]| number(bare(&row.first()?.text), false);
+        let (Some(before), Some(now), Some(next)) = (time(before), time(now), time(values)) else {
+            return false;
+        };
+        let step = now - before;
+        row_width(&last.heads) == Some(values.len()) && (next - now - step).abs() < 0.01 * step.abs()
     }
 
     /// The headings that the waiting words name: columns, or one quantity in each line.
@@ -246,7 +280,8 @@ fn segments(text: &str) -> Vec<Segment> {
     }
     // A heading at the end with nothing below it is kept, so that it is reported.
     let named = heads(&all.pending);
-    if named.len() >= 2 {
+    let is_cut = all.across().is_some() && named.iter().any(|head| cells_in(head) > 0);
+    if named.len() >= 2 || is_cut {
         all.found.push(Segment { heads: named, ..Segment::default() });
     }
     all.found
@@ -372,10 +407,28 @@ fn repeated(heads: &[Head]) -> usize {
     }
 }
 
+/// The number of values at the end of a heading, "Service Brake Off On".
+fn cells_in(head: &Head) -> usize {
+    head.text.split_whitespace().rev().take_while(|word| is_value(word)).count()
+}
+
+/// Refuses a quantity with values in its line, but fewer than there are times: which of them it has is not
+/// sure.
+fn whole(head: &Head, times: usize) -> Result<(), TextRefusal> {
+    let found = cells_in(head);
+    if found == 0 || found >= times || matches!(head.channel, Channel::Time | Channel::Other) {
+        return Ok(());
+    }
+    let columns =
+        format!("as many as there are times, for {}; write - for one that is empty", head.channel.name());
+    Err(TextRefusal::Uneven { place: head.place, found, expected: times, columns })
+}
+
 /// A table of quantities, each with its values after or below it.
-fn of_blocks(segments: Vec<Segment>) -> RawTable {
+fn of_blocks(segments: Vec<Segment>) -> Result<RawTable, TextRefusal> {
     let across = segments.iter().any(|segment| segment.lines.first().is_some_and(|line| line.len() > 1));
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
+    let times = segments.iter().find_map(Segment::across).unwrap_or(0);
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
     for segment in segments {
         // With several quantities named before the values, the last is theirs. Above the times, the other
@@ -383,7 +436,11 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
         let Some((head, above)) = segment.heads.split_last() else { continue };
         let (head, cells) = (head.clone(), segment.flat());
         if head.channel != Channel::Time {
+            above.iter().try_for_each(|head| whole(head, times))?;
             ignored.extend(above.iter().map(|head| (head.text.clone(), head.place)));
+        }
+        if cells.is_empty() {
+            whole(&head, times)?;
         }
         ignored.extend(segment.unread);
         if head.channel == Channel::Other {
@@ -392,7 +449,7 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
         }
         columns.push((head, cells));
     }
-    RawTable { layout, columns, ignored }
+    Ok(RawTable { layout, columns, ignored })
 }
 
 /// The tables of a flowing text.
@@ -401,8 +458,16 @@ pub(crate) fn tables(text: &str) -> Result<Vec<RawTable>, TextRefusal> {
     let mut blocks: Vec<Segment> = Vec::new();
     let mut rows: Option<Segment> = None;
     let mut finish = |blocks: &mut Vec<Segment>, rows: &mut Option<Segment>| -> Result<(), TextRefusal> {
+        let is_note = |segment: &Segment| {
+            segment.lines.is_empty() && !segment.heads.iter().any(|head| cells_in(head) > 0)
+        };
+        if let Some(open) = rows.as_mut().filter(|_| blocks.iter().all(is_note)) {
+            // Words that follow the rows, and name quantities without values.
+            let heads = blocks.drain(..).flat_map(|segment| segment.heads);
+            open.unread.extend(heads.map(|head| (head.text, head.place)));
+        }
         if blocks.iter().any(|segment| !segment.heads.is_empty()) {
-            found.push(of_blocks(std::mem::take(blocks)));
+            found.push(of_blocks(std::mem::take(blocks))?);
         }
         blocks.clear();
         if let Some(segment) = rows.take() {

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::ops::Range;
 
-use super::tokens::{OFF, ON, Word};
+use super::tokens::{OFF, ON, Word, number};
 use crate::channel::{Axis, Channel, ChannelUnit, denies, heading_at, is_one_of, plain, unit_of};
 use crate::table::{TextPlace, TextRefusal};
 
@@ -150,7 +150,9 @@ fn names(parts: &[Part]) -> Vec<(Channel, Range<usize>)> {
 fn begins(parts: &[Part], words: &[Word], after: Option<usize>, name: usize) -> usize {
     let line = |part: &Part| words[part.of].place.line;
     let from = after.unwrap_or(0);
-    let is_lead = |part: &&Part| part.tells() && (after.is_some() || line(part) == line(&parts[name]));
+    let in_line = |part: &Part| after.is_some() || line(part) == line(&parts[name]);
+    // A number is a value of the heading before.
+    let is_lead = |part: &&Part| part.tells() && in_line(part) && number(&part.plain, false).is_none();
     let begin = name - parts[from..name].iter().rev().take_while(is_lead).count();
     let closed = |part: &Part| part.within && !words[part.of].text.ends_with(',');
     match after {

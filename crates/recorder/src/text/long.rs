@@ -55,8 +55,7 @@ impl LongText {
     fn of(text: &str) -> Option<Self> {
         let (_, heading) = lines(text).next()?;
         let delimiter = [',', ';', '\t'].into_iter().find(|delimiter| heading.contains(*delimiter))?;
-        let mut rows =
-            lines(text).map(|(number, line)| fields(&line, number, TextLayout::Delimited(delimiter)));
+        let mut rows = lines(text).map(|(number, line)| fields(&line, number, delimiter));
         let names: Vec<String> = rows.next()?.iter().map(|field| field.text.to_uppercase()).collect();
         let has = |name: &str| names.iter().any(|own| own == name);
         (has(CODE) && has(TIME) && has(VALUE)).then(|| Self { rows: rows.collect(), names })

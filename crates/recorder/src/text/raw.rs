@@ -1,8 +1,9 @@
 //! A table as printed, and its conversion to SI.
 
 use super::heads::Head;
+use super::legend::Legend;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
-use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, unit_of};
+use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, plain, unit_of};
 use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
 
 /// Columns with their cells as printed.
@@ -90,7 +91,10 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
         number(&shown, channel == Channel::EngineSpeed).ok_or_else(|| NoValue::Unreadable(text.clone()))?;
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
-    let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
+    // A speed in whole miles per hour: 158 is what is printed for 254 and 255 km/h.
+    let rounds = |code: &f64| channel == Channel::Speed && (code * worth / unit.factor).round() == printed;
+    let is_code =
+        |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE || rounds(code);
     if codes.iter().any(is_code) || OF_NHTSA.contains(&printed) {
         return Err(NoValue::Code(text));
     }
@@ -159,15 +163,69 @@ fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Re
     Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
 }
 
+/// Whether a word of a heading is the name of a time.
+fn names_time(heading: &str) -> bool {
+    heading.split_whitespace().any(|word| heading_at(&[&plain(word)]) == Some((Channel::Time, 1)))
+}
+
+/// (s) the times of a column, `None` where a cell is empty; `None` unless all others are numbers with a unit.
+fn seconds((head, cells): &(Head, Vec<Token>)) -> Option<Vec<Option<f64>>> {
+    let head = in_units_of_cells(head.clone(), cells);
+    let units = head.unit().ok().filter(|_| head.channel == Channel::Time)?;
+    let time = |cell: &Token| match value(cell, Channel::Time, units) {
+        Ok(time) => Some(Some(time)),
+        Err(NoValue::Empty) => Some(None),
+        Err(_) => None,
+    };
+    cells.iter().map(time).collect()
+}
+
+/// A table for each of several columns of different times: a quantity belongs to the one that is nearest on
+/// its left.
+pub(crate) fn by_times(raw: RawTable) -> Vec<RawTable> {
+    let is_series = |(head, _): &(Head, Vec<Token>)| !matches!(head.channel, Channel::Time | Channel::Other);
+    // Of those without a quantity in between, and with the same times, the first counts.
+    let mut begins: Vec<(usize, Vec<Option<f64>>)> = Vec::new();
+    for (at, column) in raw.columns.iter().enumerate() {
+        let Some(times) = seconds(column) else { continue };
+        let has_series = |begin: usize, end: usize| raw.columns[begin..end].iter().any(is_series);
+        let is_new = begins.last().is_none_or(|(begin, last)| has_series(*begin, at) && times != *last);
+        if is_new && has_series(at, raw.columns.len()) {
+            begins.push((at, times));
+        }
+    }
+    if begins.len() < 2 {
+        return vec![raw];
+    }
+    let RawTable { layout, columns, mut ignored } = raw;
+    let mut found: Vec<RawTable> = Vec::new();
+    for (at, column) in columns.into_iter().enumerate() {
+        if found.is_empty() || begins.iter().skip(1).any(|(begin, _)| *begin == at) {
+            let ignored = std::mem::take(&mut ignored);
+            found.push(RawTable { layout, columns: Vec::new(), ignored });
+        }
+        if let Some(table) = found.last_mut() {
+            table.columns.push(column);
+        }
+    }
+    // The shorter of two series side by side ends with empty cells.
+    for table in &mut found {
+        while table.columns.iter().all(|(_, cells)| cells.last().is_some_and(Token::is_empty)) {
+            table.columns.iter_mut().for_each(|(_, cells)| cells.truncate(cells.len() - 1));
+        }
+    }
+    found
+}
+
 /// The table in SI, its times rising.
 pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let RawTable { layout, mut columns, mut ignored } = raw;
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
-        return Err(match columns.first() {
-            Some((head, _)) => TextRefusal::NoTime { heading: head.text.clone(), place: head.place },
-            None => TextRefusal::NoHeading {
-                begins: ignored.into_iter().next().map(|(text, _)| text).unwrap_or_default(),
-            },
+        let first = columns.into_iter().map(|(head, _)| (head.text, head.place)).chain(ignored).next();
+        return Err(match first {
+            Some((heading, place)) if names_time(&heading) => TextRefusal::TimeNotFirst { heading, place },
+            Some((heading, place)) => TextRefusal::NoTime { heading, place },
+            None => TextRefusal::NoHeading { begins: String::new() },
         });
     };
     while columns[time].1.last().is_some_and(Token::is_empty) && layout == TextLayout::Transposed {
@@ -264,7 +322,21 @@ impl Reading {
     fn of(head: Head, cells: Vec<Token>) -> Result<Self, TextRefusal> {
         let head = in_units_of_cells(head, &cells);
         let (channel, units) = (head.channel, head.unit()?);
-        let found: Vec<Result<f64, NoValue>> = cells.iter().map(|cell| value(cell, channel, units)).collect();
+        let legend = Legend::of(&head)?;
+        let thousands = Thousands::of(channel, &cells);
+        let of_cell = |cell: &Token| match legend.state(cell) {
+            None if thousands == Thousands::Unsure && is_dotted(bare(&cell.text)) => {
+                Err(NoValue::Unreadable(cell.text.clone()))
+            }
+            None if thousands == Thousands::Points => {
+                let cell = Token { text: cell.text.replace('.', ""), ..cell.clone() };
+                value(&cell, channel, units)
+            }
+            Some(Some(on)) => Ok(f64::from(u8::from(on))),
+            Some(None) => Err(NoValue::Unreadable(cell.text.clone())),
+            None => value(cell, channel, units).map(|value| legend.signed(value)),
+        };
+        let found: Vec<Result<f64, NoValue>> = cells.iter().map(of_cell).collect();
         let values = found.iter().map(|value| value.as_ref().ok().copied()).collect();
         let doubt = |(cell, found): (&Token, Result<f64, NoValue>)| {
             found.err().map(|reason| CellDoubt { place: cell.place, channel, reason })
@@ -294,6 +366,44 @@ impl Reading {
         let bracket = cell.bracket.as_ref().map(|bracket| format!("[{bracket}]"));
         let text = [Some(cell.text.clone()), bracket].into_iter().flatten().collect::<Vec<_>>().join(" ");
         format!("{} under \"{}\"", text.trim(), self.column.heading)
+    }
+}
+
+/// Whether a number may have a point between its thousands: `1.250`.
+fn is_dotted(text: &str) -> bool {
+    let is_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    text.split_once('.').is_some_and(|(whole, part)| {
+        (1..=2).contains(&whole.len())
+            && !whole.starts_with('0')
+            && part.len() == 3
+            && is_digits(whole)
+            && is_digits(part)
+    })
+}
+
+/// What the points in the numbers of a column are.
+#[derive(Clone, Copy, PartialEq)]
+enum Thousands {
+    /// Decimal points.
+    None,
+    /// Points between thousands.
+    Points,
+    /// Either: `1.250` beside `0.5`.
+    Unsure,
+}
+
+impl Thousands {
+    /// An engine does not turn at 1.250 rpm: the point is between thousands if the other numbers are whole.
+    fn of(channel: Channel, cells: &[Token]) -> Self {
+        let texts = || cells.iter().map(|cell| bare(&cell.text)).filter(|text| number(text, true).is_some());
+        let is_whole = |text: &str| is_dotted(text) || !text.contains('.');
+        // 850.125: three decimals, as all of them may have.
+        let has_decimals = texts().any(|text| decimals(text) == 3 && text.find('.').is_some_and(|at| at > 2));
+        match (channel == Channel::EngineSpeed && texts().any(is_dotted), has_decimals) {
+            (false, _) | (_, true) => Self::None,
+            _ if texts().all(is_whole) => Self::Points,
+            _ => Self::Unsure,
+        }
     }
 }
 

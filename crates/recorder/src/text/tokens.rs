@@ -147,6 +147,17 @@ pub(crate) fn line(text: &str, number_of_line: usize) -> Vec<Piece> {
                 })
             })
             .flatten();
+        // 36 / 58, with both units in the heading; alone in its line, it is the number of a page.
+        let second =
+            |at: usize| pieces.get(at).map(|(_, piece)| *piece).filter(|piece| number(piece, true).is_some());
+        if let (true, "/", Some(second), Some(Piece::Value(token))) =
+            (depth == 0 && pieces.len() > 3, piece, second(at + 1), found.last_mut())
+            && number(&token.text, true).is_some()
+        {
+            token.bracket = Some(second.to_owned());
+            at += 2;
+            continue;
+        }
         match (value, inner) {
             (Some((count, text)), _) => {
                 found.push(Piece::Value(Token { text, bracket: None, place }));
