@@ -4,7 +4,7 @@ import { type Child, afterPause, download, eachFrame, h, showDialog } from "./do
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import { essence } from "./essence.js";
-import type { Command, Problem, Units } from "./engine.js";
+import type { Command, ExactSolution, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
@@ -30,6 +30,14 @@ interface Known {
   isNarrow: boolean;
   /** Of weighed evidence. */
   weighed?: { html: string; plain: Picture[] | null };
+}
+
+/** The figures of an exact solution, in words. */
+function figures({ speeds, delta_v }: ExactSolution): string[] {
+  const { speed, deltaV } = texts.answer;
+  const of = (both: (string | null)[], words: typeof speed) =>
+    both.flatMap((figure, place) => (figure === null ? [] : [words(place + 1, figure)]));
+  return [...of(speeds, speed), ...of(delta_v, deltaV)];
 }
 
 export class App {
@@ -597,8 +605,8 @@ export class App {
     else if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
     else {
       const isOpen = this.state.querySelector("details")?.open ?? false;
-      const aside = look.warnings.filter((warning) => solved.isAside(warning));
-      const own = look.warnings.filter((warning) => !aside.includes(warning));
+      const aside = look.warnings.filter((warning) => warning.aside);
+      const own = look.warnings.filter((warning) => !warning.aside);
       const lead = (key: string) => this.lead(key);
       const list = h("details", { class: "warned" },
         h("summary", {}, texts.answer.warnings(own.length, aside.length)),
@@ -645,13 +653,11 @@ export class App {
   }
 
   /** That the evidence is being weighed, with the exact solution until that is done. */
-  private showWeighing({ aside }: Solved): void {
+  private showWeighing({ exact }: Solved): void {
     if (!this.weighing.isConnected) this.weighing.removeAttribute("value");
-    const { by, figures } = aside;
-    const words = figures.map(([column, figure]) => `${texts.answer.columns[column] ?? column} ${figure}`).join(", ");
     this.headline.replaceChildren(h("div", { class: "note weighing" },
       h("p", {}, texts.answer.weighing), this.weighing,
-      figures.length > 0 ? h("p", { class: "aside" }, texts.answer.exact(by), " ", h("strong", {}, words)) : null));
+      exact ? h("p", { class: "aside" }, texts.answer.exact(exact.by), " ", h("strong", {}, figures(exact).join(", "))) : null));
     this.keepRoom();
   }
 

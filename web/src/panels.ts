@@ -29,7 +29,7 @@ function savers(title: string, kinds: FileKind[], save: Save): HTMLElement {
 const note = (words: string): HTMLElement => h("p", { class: "note" }, said(words));
 
 /** That a view shows an exact solution which is not the answer. */
-const caveat = ({ caveat: words }: Solved): HTMLElement[] => (words === null ? [] : [h("p", { class: "note caveat" }, said(words))]);
+const caveat = ({ exact }: Solved): HTMLElement[] => (exact ? [h("p", { class: "note caveat" }, said(exact.caveat))] : []);
 
 /** Why a command cannot be done, in the engine's words. */
 function cannot(element: HTMLElement, solved: Solved, command: Command): boolean {

@@ -78,9 +78,9 @@ pub fn check(text: &str, name: Option<String>) -> String {
 /// `sensitivity` or `recorder`. An empty one is the most complete that the case allows.
 ///
 /// `{ ok: true, command, headline, html, charts: [{ name, title, svg }], text, json, csv, warnings: [{ code,
-/// message, vehicle, keys }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is byte
-/// for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
-/// stored data.
+/// message, vehicle, keys, aside }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is
+/// byte for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
+/// stored data. A warning is `aside` if it concerns only an exact solution that is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
@@ -92,12 +92,15 @@ pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> S
 /// allows. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
 /// `none` draws nothing.
 ///
-/// `{ ok: true, headline, weigh, warnings, command, able: [command], units, scene }`, or `{ ok: false,
+/// `{ ok: true, headline, exact, warnings, command, able: [command], units, scene }`, or `{ ok: false,
 /// problems, message, command, able, units, scene }`, without the last four if the text cannot be read.
-/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. If `weigh` is true, the
-/// case has more evidence than its exact solution uses: the answer is that of an estimate, and `headline`
-/// only says so. `able` may have `avoid`, whose headline is that of the central values, or empty if its speed
-/// has to be found first; and `recorder`.
+/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. `able` may have `avoid`,
+/// whose headline is that of the central values, or empty if its speed has to be found first; and `recorder`.
+///
+/// `exact` is `null` unless the case has an exact solution that is not the answer: then the answer is that of
+/// an estimate, `headline` only says so, and `exact` is `{ by, speeds, delta_v, caveat }`. `by` names the part
+/// of the evidence that the solution uses; `speeds` and `delta_v` have a text for each vehicle, `null` for one
+/// that does not move; `caveat` says why the solution is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
