@@ -1304,6 +1304,37 @@ onPage("a table that was copied goes into the case, as a step that can be undone
   assert.equal(await caseText(page), before);
 });
 
+onPage("a table of the other kind is refused with the name of the choice that takes it", async (page) => {
+  const before = await caseText(page);
+  await page.getByRole("tab", { name: "Recorder", exact: true }).click();
+  const box = page.getByLabel("Select the table in the printed report");
+  const kind = page.locator(".paste select").last();
+  const speeds = "Times (sec)\tSpeed (km/h)\n-1.0\t58\n-0.5\t55\n0.0\t48\n";
+  const pulse = "Time (msec)\tLongitudinal Delta-V (km/h)\n0\t0\n10\t-4\n20\t-9\n";
+  for (const [table, wrong, right, said] of [
+    [pulse, "pre_crash", "pulse", /^This is a table of ΔV over time, not of speeds before the impact: .+ Give it as ΔV during the impact\.$/],
+    [speeds, "pulse", "pre_crash", /^This is a table of speeds before the impact, not of ΔV over time: .+ Give it as speed before the impact\.$/],
+  ]) {
+    await box.fill(table);
+    await kind.selectOption(wrong);
+    await page.getByRole("button", { name: "Put into the case" }).click();
+    const error = page.locator(".paste .error:not([hidden])");
+    await error.waitFor();
+    const words = (await error.innerText()).trim();
+    assert.match(words, said);
+    // What it says is what can be chosen.
+    const choice = await kind.locator(`option[value="${right}"]`).innerText();
+    assert.ok(words.toLowerCase().endsWith(`give it as ${choice.toLowerCase()}.`), words);
+    assert.equal(await caseText(page), before);
+    await kind.selectOption(right);
+    await page.getByRole("button", { name: "Put into the case" }).click();
+    await page.waitForFunction(() => document.querySelector(".paste textarea").value === "");
+    // Without a table the box opens by itself.
+    await page.getByRole("button", { name: "Undo" }).click();
+    await page.locator(".paste[open]").waitFor();
+  }
+});
+
 onPage("each template says what it is for", async (page) => {
   await page.getByRole("button", { name: "New case…" }).click();
   for (const words of await page.locator(".card .purpose").allInnerTexts()) assert.ok(words.length > 60, words);

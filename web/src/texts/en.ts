@@ -71,6 +71,8 @@ export const texts = {
   choices: {
     axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
     kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
+    pre_crash: "Speed before the impact",
+    pulse: "ΔV during the impact",
     crush: { none: "none: its damage took no energy that counts" },
     fit: { exact: "exact: gives the energy of the test", mean: "mean: from the mean crush, a few per cent too high" },
     oblique: {
@@ -489,10 +491,6 @@ export const texts = {
       ["2", "vehicle 2"],
     ],
     what: "Table",
-    tables: [
-      ["pre_crash", "speed before the impact"],
-      ["pulse", "ΔV during the impact"],
-    ],
     put: "Put into the case",
   },
 
