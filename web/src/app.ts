@@ -1,6 +1,7 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
 import { book } from "./book.js";
 import { type Child, afterPause, download, eachFrame, h, showDialog } from "./dom.js";
+import { forgetDraft, keepDraft, keptDraft } from "./draft.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import { essence } from "./essence.js";
@@ -31,6 +32,14 @@ interface Known {
   /** Of weighed evidence. */
   weighed?: { html: string; plain: Picture[] | null };
 }
+
+/** The case that the page begins with. */
+function example(): { name: string; text: string } {
+  const [first] = engine.templates();
+  return { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+}
+
+const timed = (date: Date): string => date.toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" });
 
 /** The figures of an exact solution, in words. */
 function figures({ speeds, delta_v }: ExactSolution): string[] {
@@ -92,12 +101,15 @@ export class App {
   private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
   private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.undo() }, "↶");
   private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.redo() }, "↷");
-  /** The first minute's line; of a report that was handed over, that it is one. */
+  private readonly unitsChoice = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
+  /** The first minute's line; of a draft or of a report that was handed over, that it is one. */
   private readonly welcome = h("aside", { class: "welcome", "aria-label": texts.welcome.label });
   private readonly banner = h("strong");
   private readonly changedSince = h("span", { role: "status" });
   private readonly printHead = h("p", { class: "print-head" });
   private readonly live = handedOver();
+  /** What the page had before it was loaded again. */
+  private readonly draft = this.live ? null : keptDraft();
   /** The case that was handed over is not that of its report. */
   private isForeign = false;
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
@@ -165,9 +177,8 @@ export class App {
     this.listen();
   }
 
-  /** Opens the case that the page was handed over with, or an example. */
+  /** Opens the case that the page was handed over with, the draft, or an example. */
   begin(): void {
-    const [first] = engine.templates();
     if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version(), this.head(engine.check(this.live.text)));
     if (this.live) {
       void isOfReport(this.live).then((is) => {
@@ -175,13 +186,20 @@ export class App {
         this.showChanged(this.editor.text);
       });
     }
-    const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+    const { draft } = this;
+    if (draft) {
+      this.unitsChoice.value = draft.units;
+      this.units = draft.units;
+    }
+    const { name, text } = this.live ?? draft ?? example();
     this.open(name, text);
+    if (draft) this.saved = draft.saved;
+    this.showFileState();
   }
 
   private layout(live: Live | null): HTMLElement[] {
     const button = (label: string, run: () => void, kind?: string) => h("button", { type: "button", class: kind, onclick: run }, label);
-    const units = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
+    const units = this.unitsChoice;
     units.addEventListener("change", () => {
       this.units = units.value as Units;
       this.solve();
@@ -224,9 +242,13 @@ export class App {
       return [side, button(texts.sides[side], choose)] as const;
     });
     sides[0]?.[1].click();
-    const close = () => this.welcome.remove();
+    const close = button(texts.welcome.close, () => this.welcome.remove(), "quiet");
+    const { draft } = this;
     if (live) this.welcome.replaceChildren(this.banner, " ", this.changedSince, " ", h("a", { href: "#printed" }, texts.live.toPrinted));
-    else this.welcome.append(h("span", {}, h("strong", {}, texts.welcome.what), " ", texts.welcome.first, " ", texts.welcome.local), button(texts.welcome.close, close, "quiet"));
+    else if (draft) {
+      this.welcome.setAttribute("aria-label", texts.draft.label);
+      this.welcome.append(h("span", {}, texts.draft.of(timed(new Date(draft.time)))), h("span", {}, button(texts.draft.afresh, () => this.startAfresh(), "quiet"), close));
+    } else this.welcome.append(h("span", {}, h("strong", {}, texts.welcome.what), " ", texts.welcome.first, " ", texts.welcome.local), close);
     const main = h("main", { class: "split" },
       h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)),
       h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
@@ -294,7 +316,7 @@ export class App {
       for (const part of [this.headline, this.state]) part.style.minHeight = "";
     });
     window.addEventListener("beforeprint", () => {
-      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
+      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), timed(new Date()), this.sinceThen());
     });
     this.fileInput.addEventListener("change", () => {
       const file = this.fileInput.files?.[0];
@@ -440,6 +462,21 @@ export class App {
     this.saved = this.editor.text;
     download(this.name.value, this.saved, "application/toml");
     this.showFileState();
+    this.keep();
+  }
+
+  /** Keeps the case for a reload. The example needs no keeping, and a report has its own case. */
+  private keep(): void {
+    if (this.live) return;
+    const { text } = this.editor;
+    if (text === example().text) forgetDraft();
+    else keepDraft({ name: this.name.value, text, saved: this.saved, units: this.units });
+  }
+
+  private startAfresh(): void {
+    if (!this.mayDiscard()) return;
+    const { name, text } = example();
+    this.open(name, text);
   }
 
   private chooseTemplate(): void {
@@ -563,6 +600,8 @@ export class App {
     }
     this.updateForm();
     this.show(this.viewTabs.shown);
+    // Only now: a case that the page could not show would fail again after each reload.
+    this.keep();
   }
 
   /** Brings what is seen up to date. */

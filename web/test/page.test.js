@@ -867,9 +867,9 @@ onPage("the form asks in the order in which one knows things: vehicles, damage, 
   assert.deepEqual(await keys(`${vehicle} > [data-key="vehicle1.crush"] > .group-body`), ["crush.side", "crush.width", "crush.depths", "crush.stiffness"]);
 });
 
-onPage("the first minute: what this is, what to do first, that nothing leaves; and the ways past the form", async (page) => {
+onPage("the first minute: what this is, what to do first, that it stays here; and the ways past the form", async (page) => {
   const welcome = page.locator(".welcome");
-  assert.match(await welcome.innerText(), /example.*New case….*leaves this page/s);
+  assert.match(await welcome.innerText(), /example.*New case….*stays on this computer/s);
   await page.keyboard.press("Tab");
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Skip to the views");

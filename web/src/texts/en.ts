@@ -37,8 +37,14 @@ export const texts = {
     label: "What this is",
     what: "The speeds of two vehicles before their collision, from damage, marks and recorders.",
     first: "This is an example. First choose “New case…” or “Open…”, then enter your numbers.",
-    local: "Nothing that you enter leaves this page.",
+    local: "What you enter stays on this computer.",
     close: "Got it",
+  },
+
+  draft: {
+    label: "Your draft",
+    of: (time: string) => `This is your draft of ${time}, which this browser has kept.`,
+    afresh: "Start afresh",
   },
 
   /** Labels that the keys themselves do not give. */
@@ -65,14 +71,14 @@ export const texts = {
     tangential: "Along the crush plane (friction)",
     find: "Speed to find",
     from_force_balance: "From force balance",
+    pre_crash: "Speed before the impact",
+    pulse: "ΔV during the impact",
   } as Record<string, string>,
 
   /** What the words mean that stand for a choice in the file, by the last part of its key. */
   choices: {
     axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
     kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
-    pre_crash: "Speed before the impact",
-    pulse: "ΔV during the impact",
     crush: { none: "none: its damage took no energy that counts" },
     fit: { exact: "exact: gives the energy of the test", mean: "mean: from the mean crush, a few per cent too high" },
     oblique: {
@@ -142,6 +148,7 @@ export const texts = {
     paragraphs: [
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
+      "The browser keeps your case as a draft, so that a reload does not lose it. The next case that you open takes its place, and “Start afresh” removes it. A draft is no file: save the case to keep it.",
       "The engine is that of the program of the same name, and gives the same numbers to the last bit.",
       "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, and results other than speeds and ΔV in the probability of an estimate.",
     ],
