@@ -571,8 +571,9 @@ export class App {
     for (const name of this.panels.keys()) this.stale.add(name);
     if (isScene) this.scene.update(look.scene ?? null, solved.problems.length > 0);
     else this.stale.add("scene");
-    // What runs goes on where the answer will be the same; who waits for a file of it wants that of this text.
-    if (!this.job || this.keyOf(solved) !== this.keyOfJob) this.endRuns();
+    // What runs goes on where the answer will be the same, and what has run stays where only the units are others;
+    // who waits for a file of it wants that of this text.
+    if (!this.job || (this.keyOf(solved) !== this.keyOfJob && !this.hasWeighed(solved))) this.endRuns();
     if (before?.text !== text || before.name !== solved.name || before.units !== solved.units) this.whenWeighed?.(false);
     this.rest.ask();
     this.interval.ask();
@@ -895,7 +896,19 @@ export class App {
     });
   }
 
+  /** All the evidence of this text has been weighed, in these units or in others. */
+  private hasWeighed({ text, name }: Solved): boolean {
+    const { job } = this;
+    return this.quick.hasRun && job?.kind === "reconstruct" && job.text === text && job.name === name;
+  }
+
   private weigh(solved: Solved): void {
+    if (this.job && this.hasWeighed(solved)) {
+      this.job.units = solved.units;
+      this.keyOfJob = this.keyOf(solved);
+      this.quick.tellIn(solved.units);
+      return;
+    }
     const job = this.jobOf(solved, "reconstruct");
     this.job = job;
     this.keyOfJob = this.keyOf(solved);

@@ -259,6 +259,12 @@ impl Run {
         .to_string()
     }
 
+    /// The last run in other units: what [`ask`](Self::ask) answers in these, without running again.
+    pub fn in_units(&mut self, units: &str) -> String {
+        let told = self.ran.as_mut().map(|ran| ran.in_units(units));
+        given::made(told.unwrap_or_else(Self::no_run)).to_string()
+    }
+
     /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text,
     /// headline, html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these
     /// numbers. A speed that follows from the rest of the case is not computed again; a probability is only
@@ -316,8 +322,11 @@ impl Run {
 
     fn made(&self, make: impl FnOnce(&run::Ran) -> Result<serde_json::Value, given::Refused>) -> String {
         let made = self.ran.as_ref().map(make);
-        let made = made.unwrap_or_else(|| Err(given::Refused::message("there is no run yet")));
-        given::made(made).to_string()
+        given::made(made.unwrap_or_else(Self::no_run)).to_string()
+    }
+
+    fn no_run() -> Result<serde_json::Value, given::Refused> {
+        Err(given::Refused::message("there is no run yet"))
     }
 
     /// An empty value if there is no run.
