@@ -1,10 +1,11 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
 import { book } from "./book.js";
 import { type Child, afterPause, download, eachFrame, h, showDialog } from "./dom.js";
+import { forgetDraft, keepDraft, keptDraft } from "./draft.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import { essence } from "./essence.js";
-import type { Command, Problem, Units } from "./engine.js";
+import type { Command, ExactSolution, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
@@ -30,6 +31,22 @@ interface Known {
   isNarrow: boolean;
   /** Of weighed evidence. */
   weighed?: { html: string; plain: Picture[] | null };
+}
+
+/** The case that the page begins with. */
+function example(): { name: string; text: string } {
+  const [first] = engine.templates();
+  return { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+}
+
+const timed = (date: Date): string => date.toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" });
+
+/** The figures of an exact solution, in words. */
+function figures({ speeds, delta_v }: ExactSolution): string[] {
+  const { speed, deltaV } = texts.answer;
+  const of = (both: (string | null)[], words: typeof speed) =>
+    both.flatMap((figure, place) => (figure === null ? [] : [words(place + 1, figure)]));
+  return [...of(speeds, speed), ...of(delta_v, deltaV)];
 }
 
 export class App {
@@ -84,12 +101,15 @@ export class App {
   private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
   private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.undo() }, "↶");
   private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.redo() }, "↷");
-  /** The first minute's line; of a report that was handed over, that it is one. */
+  private readonly unitsChoice = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
+  /** The first minute's line; of a draft or of a report that was handed over, that it is one. */
   private readonly welcome = h("aside", { class: "welcome", "aria-label": texts.welcome.label });
   private readonly banner = h("strong");
   private readonly changedSince = h("span", { role: "status" });
   private readonly printHead = h("p", { class: "print-head" });
   private readonly live = handedOver();
+  /** What the page had before it was loaded again. */
+  private readonly draft = this.live ? null : keptDraft();
   /** The case that was handed over is not that of its report. */
   private isForeign = false;
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
@@ -157,9 +177,8 @@ export class App {
     this.listen();
   }
 
-  /** Opens the case that the page was handed over with, or an example. */
+  /** Opens the case that the page was handed over with, the draft, or an example. */
   begin(): void {
-    const [first] = engine.templates();
     if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version(), this.head(engine.check(this.live.text)));
     if (this.live) {
       void isOfReport(this.live).then((is) => {
@@ -167,13 +186,20 @@ export class App {
         this.showChanged(this.editor.text);
       });
     }
-    const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+    const { draft } = this;
+    if (draft) {
+      this.unitsChoice.value = draft.units;
+      this.units = draft.units;
+    }
+    const { name, text } = this.live ?? draft ?? example();
     this.open(name, text);
+    if (draft) this.saved = draft.saved;
+    this.showFileState();
   }
 
   private layout(live: Live | null): HTMLElement[] {
     const button = (label: string, run: () => void, kind?: string) => h("button", { type: "button", class: kind, onclick: run }, label);
-    const units = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
+    const units = this.unitsChoice;
     units.addEventListener("change", () => {
       this.units = units.value as Units;
       this.solve();
@@ -216,9 +242,13 @@ export class App {
       return [side, button(texts.sides[side], choose)] as const;
     });
     sides[0]?.[1].click();
-    const close = () => this.welcome.remove();
+    const close = button(texts.welcome.close, () => this.welcome.remove(), "quiet");
+    const { draft } = this;
     if (live) this.welcome.replaceChildren(this.banner, " ", this.changedSince, " ", h("a", { href: "#printed" }, texts.live.toPrinted));
-    else this.welcome.append(h("span", {}, h("strong", {}, texts.welcome.what), " ", texts.welcome.first, " ", texts.welcome.local), button(texts.welcome.close, close, "quiet"));
+    else if (draft) {
+      this.welcome.setAttribute("aria-label", texts.draft.label);
+      this.welcome.append(h("span", {}, texts.draft.of(timed(new Date(draft.time)))), h("span", {}, button(texts.draft.afresh, () => this.startAfresh(), "quiet"), close));
+    } else this.welcome.append(h("span", {}, h("strong", {}, texts.welcome.what), " ", texts.welcome.first, " ", texts.welcome.local), close);
     const main = h("main", { class: "split" },
       h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)),
       h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
@@ -286,7 +316,7 @@ export class App {
       for (const part of [this.headline, this.state]) part.style.minHeight = "";
     });
     window.addEventListener("beforeprint", () => {
-      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
+      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), timed(new Date()), this.sinceThen());
     });
     this.fileInput.addEventListener("change", () => {
       const file = this.fileInput.files?.[0];
@@ -432,6 +462,21 @@ export class App {
     this.saved = this.editor.text;
     download(this.name.value, this.saved, "application/toml");
     this.showFileState();
+    this.keep();
+  }
+
+  /** Keeps the case for a reload. The example needs no keeping, and a report has its own case. */
+  private keep(): void {
+    if (this.live) return;
+    const { text } = this.editor;
+    if (text === example().text) forgetDraft();
+    else keepDraft({ name: this.name.value, text, saved: this.saved, units: this.units });
+  }
+
+  private startAfresh(): void {
+    if (!this.mayDiscard()) return;
+    const { name, text } = example();
+    this.open(name, text);
   }
 
   private chooseTemplate(): void {
@@ -526,8 +571,9 @@ export class App {
     for (const name of this.panels.keys()) this.stale.add(name);
     if (isScene) this.scene.update(look.scene ?? null, solved.problems.length > 0);
     else this.stale.add("scene");
-    // What runs goes on where the answer will be the same; who waits for a file of it wants that of this text.
-    if (!this.job || this.keyOf(solved) !== this.keyOfJob) this.endRuns();
+    // What runs goes on where the answer will be the same, and what has run stays where only the units are others;
+    // who waits for a file of it wants that of this text.
+    if (!this.job || (this.keyOf(solved) !== this.keyOfJob && !this.hasWeighed(solved))) this.endRuns();
     if (before?.text !== text || before.name !== solved.name || before.units !== solved.units) this.whenWeighed?.(false);
     this.rest.ask();
     this.interval.ask();
@@ -555,6 +601,8 @@ export class App {
     }
     this.updateForm();
     this.show(this.viewTabs.shown);
+    // Only now: a case that the page could not show would fail again after each reload.
+    this.keep();
   }
 
   /** Brings what is seen up to date. */
@@ -597,8 +645,8 @@ export class App {
     else if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
     else {
       const isOpen = this.state.querySelector("details")?.open ?? false;
-      const aside = look.warnings.filter((warning) => solved.isAside(warning));
-      const own = look.warnings.filter((warning) => !aside.includes(warning));
+      const aside = look.warnings.filter((warning) => warning.aside);
+      const own = look.warnings.filter((warning) => !warning.aside);
       const lead = (key: string) => this.lead(key);
       const list = h("details", { class: "warned" },
         h("summary", {}, texts.answer.warnings(own.length, aside.length)),
@@ -645,13 +693,11 @@ export class App {
   }
 
   /** That the evidence is being weighed, with the exact solution until that is done. */
-  private showWeighing({ aside }: Solved): void {
+  private showWeighing({ exact }: Solved): void {
     if (!this.weighing.isConnected) this.weighing.removeAttribute("value");
-    const { by, figures } = aside;
-    const words = figures.map(([column, figure]) => `${texts.answer.columns[column] ?? column} ${figure}`).join(", ");
     this.headline.replaceChildren(h("div", { class: "note weighing" },
       h("p", {}, texts.answer.weighing), this.weighing,
-      figures.length > 0 ? h("p", { class: "aside" }, texts.answer.exact(by), " ", h("strong", {}, words)) : null));
+      exact ? h("p", { class: "aside" }, texts.answer.exact(exact.by), " ", h("strong", {}, figures(exact).join(", "))) : null));
     this.keepRoom();
   }
 
@@ -850,7 +896,19 @@ export class App {
     });
   }
 
+  /** All the evidence of this text has been weighed, in these units or in others. */
+  private hasWeighed({ text, name }: Solved): boolean {
+    const { job } = this;
+    return this.quick.hasRun && job?.kind === "reconstruct" && job.text === text && job.name === name;
+  }
+
   private weigh(solved: Solved): void {
+    if (this.job && this.hasWeighed(solved)) {
+      this.job.units = solved.units;
+      this.keyOfJob = this.keyOf(solved);
+      this.quick.tellIn(solved.units);
+      return;
+    }
     const job = this.jobOf(solved, "reconstruct");
     this.job = job;
     this.keyOfJob = this.keyOf(solved);

@@ -50,6 +50,19 @@ export interface Warning {
   message: string;
   vehicle: 1 | 2 | null;
   keys?: string[];
+  /** It concerns only an exact solution that is not the answer. */
+  aside: boolean;
+}
+
+/** An exact solution that is not the answer of its case: the case has more evidence than it uses. */
+export interface ExactSolution {
+  /** The part of the evidence that it uses. */
+  by: string;
+  /** Of each vehicle; nothing of one that does not move. */
+  speeds: [string | null, string | null];
+  delta_v: [string | null, string | null];
+  /** That it is not the answer, and why. */
+  caveat: string;
 }
 
 /** A chart that stands beside the tables of an answer. */
@@ -194,8 +207,8 @@ export interface Look {
   able: Command[];
   units: "si" | "us" | "uk";
   headline: string[];
-  /** The case has more evidence than its exact solution uses: the answer is that of an estimate. */
-  weigh: boolean;
+  /** The exact solution if it is not the answer, which is then that of an estimate. */
+  exact: ExactSolution | null;
   warnings: Warning[];
   scene: Scene | null;
 }

@@ -2,7 +2,7 @@
 import { afterPause, eachFrame, h, markup, s, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Command } from "./engine.js";
-import { nameOf } from "./keys.js";
+import { label, nameOf } from "./keys.js";
 import { inWords, said } from "./said.js";
 import { figure } from "./pictures.js";
 import { type FileKind, type Finished, type Job, type Picture, Runner, type Unfinished, type With } from "./runs.js";
@@ -29,7 +29,7 @@ function savers(title: string, kinds: FileKind[], save: Save): HTMLElement {
 const note = (words: string): HTMLElement => h("p", { class: "note" }, said(words));
 
 /** That a view shows an exact solution which is not the answer. */
-const caveat = ({ caveat: words }: Solved): HTMLElement[] => (words === null ? [] : [h("p", { class: "note caveat" }, said(words))]);
+const caveat = ({ exact }: Solved): HTMLElement[] => (exact ? [h("p", { class: "note caveat" }, said(exact.caveat))] : []);
 
 /** Why a command cannot be done, in the engine's words. */
 function cannot(element: HTMLElement, solved: Solved, command: Command): boolean {
@@ -506,7 +506,7 @@ export class Recorder implements Panel {
   private readonly body = h("div");
   private readonly box = h("textarea", { id: unique("paste"), rows: 6, spellcheck: "false", placeholder: texts.recorder.example });
   private readonly vehicle = h("select", {}, ...texts.recorder.vehicles.map(([value, name]) => h("option", { value }, name)));
-  private readonly table = h("select", {}, ...texts.recorder.tables.map(([value, name]) => h("option", { value }, name)));
+  private readonly table = h("select", {}, ...["pre_crash", "pulse"].map((key) => h("option", { value: key }, label(key))));
   private readonly refused = h("p", { class: "error", role: "alert", hidden: true });
   private readonly paper = h("details", { class: "paste" });
 

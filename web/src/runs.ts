@@ -27,7 +27,7 @@ export interface Move {
   sampled: boolean;
 }
 
-export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind; besides: With } | Move;
+export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind; besides: With } | { units: Units } | Move;
 
 /** The answer of a run comes before its pictures, which take a while to make. */
 export type FromWorker =
@@ -106,6 +106,17 @@ export class Runner {
       this.waiting = { done, failed };
       worker.postMessage({ file: kind, besides } satisfies ToWorker);
     });
+  }
+
+  /** Something has run to its end, and can be told in other units. */
+  get hasRun(): boolean {
+    return this.worker !== null && !this.works;
+  }
+
+  /** Tells what has run once more, in other units: its answer and its pictures. */
+  tellIn(units: Units): void {
+    this.works = true;
+    this.worker?.postMessage({ units } satisfies ToWorker);
   }
 
   /** Moves the sliders of what has run: each is answered as it comes, or the newest once the one before is. */

@@ -18,7 +18,14 @@ function file(run: Run, kind: FileKind, { plan, page }: With): string {
   return made.html;
 }
 
+/** Says an answer of a run, and then its pictures. */
+function tell(run: Run, answer: string, begun: number, isLast: boolean): void {
+  say({ kind: "answer", answer, milliseconds: performance.now() - begun, isLast });
+  say({ kind: "pictures", pictures: run.pictures(), isLast });
+}
+
 self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
+  const begun = performance.now();
   if ("file" in data) {
     try {
       say({ kind: "file", content: ran ? file(ran, data.file, data.besides) : "", refused: "" });
@@ -28,9 +35,12 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     return;
   }
   if ("moved" in data) {
-    const begun = performance.now();
     const answer = ran?.moved(JSON.stringify(data.moved), data.sampled);
     if (answer !== undefined) say({ kind: "moved", answer, to: data.moved, milliseconds: performance.now() - begun });
+    return;
+  }
+  if ("units" in data) {
+    if (ran) tell(ran, ran.in_units(data.units), begun, true);
     return;
   }
   const { module, job } = data;
@@ -51,11 +61,9 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     const { samples = 0 } = job.options;
     const first = samples > FIRST ? [{ ...job.options, samples: FIRST, indices: undefined }] : [];
     for (const options of [...first, job.options]) {
-      const begun = performance.now();
+      const asked = performance.now();
       const answer = run.ask(job.kind, job.text, job.name, job.units, JSON.stringify(options), progress);
-      const isLast = options === job.options;
-      say({ kind: "answer", answer, milliseconds: performance.now() - begun, isLast });
-      say({ kind: "pictures", pictures: run.pictures(), isLast });
+      tell(run, answer, asked, options === job.options);
     }
   } catch (error) {
     say({ kind: "failed", message: String(error) });

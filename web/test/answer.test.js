@@ -151,6 +151,11 @@ onPage("an answer of all evidence stays where a change cannot change it, and ser
   await page.locator("#units").selectOption("us");
   assert.doesNotMatch(await above(page), /being weighed/);
   await page.waitForFunction(() => /mph/.test(document.querySelector(".result.first .result-value").innerText), null, { timeout: 120_000 });
+  await tab(page, "Results");
+  await page.locator(".panel:visible .answer", { hasText: /mph.*95 %/s }).first().waitFor();
+  await tab(page, "Scene");
+  // Nothing is weighed anew for that.
+  assert.equal(await runs(page), 2);
   // A number changes the answer, and taking it back has it at once.
   await page.locator("#units").selectOption("");
   assert.equal(await above(page), answer);

@@ -867,9 +867,9 @@ onPage("the form asks in the order in which one knows things: vehicles, damage, 
   assert.deepEqual(await keys(`${vehicle} > [data-key="vehicle1.crush"] > .group-body`), ["crush.side", "crush.width", "crush.depths", "crush.stiffness"]);
 });
 
-onPage("the first minute: what this is, what to do first, that nothing leaves; and the ways past the form", async (page) => {
+onPage("the first minute: what this is, what to do first, that it stays here; and the ways past the form", async (page) => {
   const welcome = page.locator(".welcome");
-  assert.match(await welcome.innerText(), /example.*New case….*leaves this page/s);
+  assert.match(await welcome.innerText(), /example.*New case….*stays on this computer/s);
   await page.keyboard.press("Tab");
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Skip to the views");
@@ -1302,6 +1302,37 @@ onPage("a table that was copied goes into the case, as a step that can be undone
   assert.match(after, /\[vehicle2\.recorder\]\npre_crash = \{ text = """\nTimes \(sec\)\tSpeed/);
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await caseText(page), before);
+});
+
+onPage("a table of the other kind is refused with the name of the choice that takes it", async (page) => {
+  const before = await caseText(page);
+  await page.getByRole("tab", { name: "Recorder", exact: true }).click();
+  const box = page.getByLabel("Select the table in the printed report");
+  const kind = page.locator(".paste select").last();
+  const speeds = "Times (sec)\tSpeed (km/h)\n-1.0\t58\n-0.5\t55\n0.0\t48\n";
+  const pulse = "Time (msec)\tLongitudinal Delta-V (km/h)\n0\t0\n10\t-4\n20\t-9\n";
+  for (const [table, wrong, right, said] of [
+    [pulse, "pre_crash", "pulse", /^This is a table of ΔV over time, not of speeds before the impact: .+ Give it as ΔV during the impact\.$/],
+    [speeds, "pulse", "pre_crash", /^This is a table of speeds before the impact, not of ΔV over time: .+ Give it as speed before the impact\.$/],
+  ]) {
+    await box.fill(table);
+    await kind.selectOption(wrong);
+    await page.getByRole("button", { name: "Put into the case" }).click();
+    const error = page.locator(".paste .error:not([hidden])");
+    await error.waitFor();
+    const words = (await error.innerText()).trim();
+    assert.match(words, said);
+    // What it says is what can be chosen.
+    const choice = await kind.locator(`option[value="${right}"]`).innerText();
+    assert.ok(words.toLowerCase().endsWith(`give it as ${choice.toLowerCase()}.`), words);
+    assert.equal(await caseText(page), before);
+    await kind.selectOption(right);
+    await page.getByRole("button", { name: "Put into the case" }).click();
+    await page.waitForFunction(() => document.querySelector(".paste textarea").value === "");
+    // Without a table the box opens by itself.
+    await page.getByRole("button", { name: "Undo" }).click();
+    await page.locator(".paste[open]").waitFor();
+  }
 });
 
 onPage("each template says what it is for", async (page) => {

@@ -111,12 +111,27 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
         (
             "pre_crash = { text = \"Time (ms) 0 10\\nLongitudinal delta-V (km/h) 0 -4\" }",
             "case.toml:2:22",
-            "no table of speeds",
+            "this is a table of ΔV over time, not of speeds before the impact: the program read \"Time (ms)\" as time",
+        ),
+        (
+            "pre_crash = { text = \"Time (ms) 0 10\\nLongitudinal delta-V (km/h) 0 -4\" }",
+            "case.toml:2:22",
+            "help: give it as `pulse`",
         ),
         (
             "pulse = { text = \"Time (s) -1 0\\nVehicle speed (km/h) 60 58\" }",
             "case.toml:2:18",
-            "no table of ΔV",
+            "this is a table of speeds before the impact, not of ΔV over time: the program read \"Time (s)\" as time",
+        ),
+        (
+            "pulse = { text = \"Time (s) -1 0\\nVehicle speed (km/h) 60 58\" }",
+            "case.toml:2:18",
+            "help: give it as `pre_crash`",
+        ),
+        (
+            "pulse = { text = \"Time (s) -1 0\\nEngine RPM 900 1500\" }",
+            "case.toml:2:18",
+            "no table of ΔV over time, with times and a longitudinal or lateral ΔV, was found",
         ),
         (
             "pre_crash = { text = \"CASEID,PCODE,PTIME,PVALUE\" }",

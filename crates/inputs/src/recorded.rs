@@ -34,7 +34,20 @@ pub enum SeriesRefusal {
     NoneOfKind {
         /// The kind that was wanted, in words.
         wanted: &'static str,
+        /// The columns of that kind, in words.
+        columns: &'static str,
         /// The headings of the tables, with what they were taken for.
+        found: String,
+    },
+    /// The text has a table of the other kind.
+    OtherKind {
+        /// The kind of the table, in words.
+        kind: &'static str,
+        /// The key of a recorder to which it belongs.
+        key: &'static str,
+        /// The kind that was wanted, in words.
+        wanted: &'static str,
+        /// As in [`NoneOfKind`](Self::NoneOfKind).
         found: String,
     },
     /// The table is no record before an impact; with the place of the row, if a row is the reason.
@@ -47,8 +60,11 @@ impl Display for SeriesRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
-            Self::NoneOfKind { wanted, found } => {
-                write!(f, "no table of {wanted} was found: the program read {found}")
+            Self::NoneOfKind { wanted, columns, found } => {
+                write!(f, "no table of {wanted}, with {columns}, was found: the program read {found}")
+            }
+            Self::OtherKind { kind, key: _, wanted, found } => {
+                write!(f, "this is a table of {kind}, not of {wanted}: the program read {found}")
             }
             Self::PreCrash(fault, _) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),
@@ -63,7 +79,16 @@ impl SeriesRefusal {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => refusal.place(),
             Self::PreCrash(_, place) => *place,
-            Self::NoneOfKind { .. } | Self::Pulse(_) => None,
+            Self::NoneOfKind { .. } | Self::OtherKind { .. } | Self::Pulse(_) => None,
+        }
+    }
+
+    /// What to do about it, if that is more than to correct what it says.
+    #[must_use]
+    pub fn advice(&self) -> Option<String> {
+        match self {
+            Self::OtherKind { key, .. } => Some(format!("give it as `{key}`")),
+            _ => None,
         }
     }
 }
@@ -120,11 +145,40 @@ impl SeriesSource {
     }
 }
 
+/// A kind of table that a recorder has.
+struct TableKind {
+    /// In words.
+    name: &'static str,
+    /// The columns that make it one.
+    columns: &'static str,
+    /// The key of a recorder that takes it.
+    key: &'static str,
+    is: fn(&RecorderTable) -> bool,
+}
+
+const SPEEDS: TableKind = TableKind {
+    name: "speeds before the impact",
+    columns: "times and speeds",
+    key: "pre_crash",
+    is: RecorderTable::is_pre_crash,
+};
+
+const PULSE: TableKind = TableKind {
+    name: "ΔV over time",
+    columns: "times and a longitudinal or lateral ΔV",
+    key: "pulse",
+    is: RecorderTable::is_pulse,
+};
+
 /// The refusal of tables that are all of another kind than the wanted one.
-fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
+fn none_of_kind(wanted: &TableKind, other: &TableKind, tables: &[RecorderTable]) -> SeriesRefusal {
     let headings: Vec<String> = tables.iter().map(RecorderTable::headings).collect();
     let found = if headings.is_empty() { "nothing".to_owned() } else { headings.join("; ") };
-    SeriesRefusal::NoneOfKind { wanted, found }
+    if tables.iter().any(other.is) {
+        SeriesRefusal::OtherKind { kind: other.name, key: other.key, wanted: wanted.name, found }
+    } else {
+        SeriesRefusal::NoneOfKind { wanted: wanted.name, columns: wanted.columns, found }
+    }
 }
 
 impl<R: OfTables> GivenSeries<R> {
@@ -161,9 +215,8 @@ impl<R: OfTables> GivenSeries<R> {
 
 impl OfTables for PreCrash {
     fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
-        const WANTED: &str = "speeds before the impact, with times and speeds,";
-        let none = none_of_kind(WANTED, &tables);
-        let of_speeds = tables.iter().position(RecorderTable::is_pre_crash).ok_or(none)?;
+        let none = none_of_kind(&SPEEDS, &PULSE, &tables);
+        let of_speeds = tables.iter().position(SPEEDS.is).ok_or(none)?;
         let mut others = tables;
         let mut table = others.remove(of_speeds);
         for other in others {
@@ -182,9 +235,8 @@ impl OfTables for PreCrash {
 
 impl OfTables for CrashPulse {
     fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
-        const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
-        let none = none_of_kind(WANTED, &tables);
-        let (pulses, others): (Vec<_>, Vec<_>) = tables.into_iter().partition(RecorderTable::is_pulse);
+        let none = none_of_kind(&PULSE, &SPEEDS, &tables);
+        let (pulses, others): (Vec<_>, Vec<_>) = tables.into_iter().partition(PULSE.is);
         let mut tables: Vec<RecorderTable> = Vec::new();
         for next in pulses {
             let same = tables.iter_mut().find(|table| table.shares_a_quantity(&next));

@@ -118,6 +118,7 @@ pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;
 pub use sections::field::field;
 pub use sections::handover::{Supplements, handover, uncertain_headline};
+pub use sections::headline::ExactSolution;
 pub use sections::judged_recorders::judged_recorders;
 pub use sections::judgement::judgement;
 pub use sections::recorder::recorders;

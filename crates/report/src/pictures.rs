@@ -265,7 +265,7 @@ pub fn plain_motion(
 }
 
 /// Why the drawing of an exact solution is not the answer; empty if it is.
-fn caveat(analysis: &Analysis) -> String {
+pub(crate) fn caveat(analysis: &Analysis) -> String {
     let Some(why) = analysis.why_not_exact() else { return String::new() };
     let reason = if !why.refuted_by.is_empty() {
         "its own checks refute it"

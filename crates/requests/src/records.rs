@@ -67,7 +67,9 @@ fn read_series<R: OfTables>(
     };
     match given.read_file(&text) {
         Ok(read) => *given = Arc::new(read),
-        Err(refusal) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
+        Err(refusal) => {
+            refuse(key.to_owned(), placed(&name.to_string(), &refusal), refusal.advice().as_deref());
+        }
     }
 }
 

@@ -122,11 +122,14 @@ fn files_beside_a_case_are_read_or_refused() {
     };
     fs::write(folder.join("edr.csv"), "Time (s),Speed (km/h)\n-1,60\n0,50\n").unwrap();
     fs::write(folder.join("bad.csv"), "Time (s),Speed (km/h)\n-1,60\n0,50,4\n").unwrap();
+    fs::write(folder.join("pulse.csv"), "Time (ms),Longitudinal delta-V (km/h)\n0,0\n10,-4\n").unwrap();
     let (file, read) = with("edr.csv");
     read.unwrap();
     assert!(asked(&file).is_ok());
     for (name, words) in [
         ("bad.csv", "bad.csv:3:1: 3 values"),
+        ("pulse.csv", "pulse.csv: this is a table of ΔV over time, not of speeds before the impact"),
+        ("pulse.csv", "help: give it as `pulse`"),
         ("absent.csv", "cannot read absent.csv"),
         ("../edr.csv", "outside the folder"),
         ("/etc/hostname", "outside the folder"),

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use analysis::Analysis;
 use case::Purpose;
 use pim_core::VehicleId;
-use report::{Csv, CsvStyle, Document, Drawing, Row, Units};
+use report::{Csv, CsvStyle, Document, Drawing, ExactSolution, Row, Units};
 use requests::{Answer, OptionError, Request, RequestOptions, SolvedCase};
 use serde_json::{Value, json};
 
@@ -48,15 +48,29 @@ pub(crate) fn answer(text: &str, command: &str, units: &str, name: Option<&str>)
 
 fn warnings(given: &Given, analysis: &Analysis) -> Value {
     let seen = analysis.seen(given.file.case.axes);
+    let is_answer = analysis.why_not_exact().is_none();
     let warnings = seen.warnings.iter().map(|warning| {
         json!({
             "code": warning.warning().code(),
             "message": report::message(warning, given.units),
             "vehicle": warning.warning().vehicle().map(VehicleId::number),
             "keys": warned::keys(warning.warning()),
+            "aside": !is_answer && warning.warning().is_of_exact_solution(),
         })
     });
     warnings.collect()
+}
+
+/// The exact solution if it is not the answer; otherwise `null`.
+fn exact(given: &Given, analysis: &Analysis) -> Value {
+    ExactSolution::not_the_answer(analysis, given.units).map_or(Value::Null, |exact| {
+        json!({
+            "by": exact.by,
+            "speeds": exact.speeds,
+            "delta_v": exact.delta_v,
+            "caveat": exact.caveat,
+        })
+    })
 }
 
 /// The charts of a document.
@@ -128,7 +142,7 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
                 json!({
                     "ok": true,
                     "headline": headline,
-                    "weigh": analysis.is_some_and(|analysis| analysis.why_not_exact().is_some()),
+                    "exact": analysis.map_or(Value::Null, |analysis| exact(&given, analysis)),
                     "warnings": analysis.map_or(json!([]), |analysis| warnings(&given, analysis)),
                 })
             }

@@ -92,13 +92,20 @@ impl Given {
     pub(crate) fn read(text: &str, name: Option<&str>, asked: &str) -> Result<Self, Refused> {
         let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
         let file = parsed.map_err(|errors| Refused::of(&errors.in_words_of(&PAGE)))?;
+        let units = Units::of_case(&file.case);
+        let mut given = Self { file, units };
+        given.set_units(asked)?;
+        Ok(given)
+    }
+
+    /// The units that the reader wants from now on.
+    pub(crate) fn set_units(&mut self, asked: &str) -> Result<(), Refused> {
         let known = Units::WORDS.into_iter().find(|(word, _)| *word == asked).map(|(_, units)| units);
-        match known.or_else(|| asked.is_empty().then(|| Units::of_case(&file.case))) {
-            Some(units) => Ok(Self { file, units }),
-            None => {
-                Err(Refused::message(format!("units are \"si\", \"us\", \"uk\" or \"\", not \"{asked}\"")))
-            }
-        }
+        let of_case = || asked.is_empty().then(|| Units::of_case(&self.file.case));
+        self.units = known.or_else(of_case).ok_or_else(|| {
+            Refused::message(format!("units are \"si\", \"us\", \"uk\" or \"\", not \"{asked}\""))
+        })?;
+        Ok(())
     }
 
     pub(crate) fn found<T>(&self, answer: Result<T, Unanswered>) -> Result<T, Refused> {

@@ -78,9 +78,9 @@ pub fn check(text: &str, name: Option<String>) -> String {
 /// `sensitivity` or `recorder`. An empty one is the most complete that the case allows.
 ///
 /// `{ ok: true, command, headline, html, charts: [{ name, title, svg }], text, json, csv, warnings: [{ code,
-/// message, vehicle, keys }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is byte
-/// for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
-/// stored data.
+/// message, vehicle, keys, aside }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is
+/// byte for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
+/// stored data. A warning is `aside` if it concerns only an exact solution that is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
@@ -92,12 +92,15 @@ pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> S
 /// allows. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
 /// `none` draws nothing.
 ///
-/// `{ ok: true, headline, weigh, warnings, command, able: [command], units, scene }`, or `{ ok: false,
+/// `{ ok: true, headline, exact, warnings, command, able: [command], units, scene }`, or `{ ok: false,
 /// problems, message, command, able, units, scene }`, without the last four if the text cannot be read.
-/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. If `weigh` is true, the
-/// case has more evidence than its exact solution uses: the answer is that of an estimate, and `headline`
-/// only says so. `able` may have `avoid`, whose headline is that of the central values, or empty if its speed
-/// has to be found first; and `recorder`.
+/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. `able` may have `avoid`,
+/// whose headline is that of the central values, or empty if its speed has to be found first; and `recorder`.
+///
+/// `exact` is `null` unless the case has an exact solution that is not the answer: then the answer is that of
+/// an estimate, `headline` only says so, and `exact` is `{ by, speeds, delta_v, caveat }`. `by` names the part
+/// of the evidence that the solution uses; `speeds` and `delta_v` have a text for each vehicle, `null` for one
+/// that does not move; `caveat` says why the solution is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
@@ -256,6 +259,12 @@ impl Run {
         .to_string()
     }
 
+    /// The last run in other units: what [`ask`](Self::ask) answers in these, without running again.
+    pub fn in_units(&mut self, units: &str) -> String {
+        let told = self.ran.as_mut().map(|ran| ran.in_units(units));
+        given::made(told.unwrap_or_else(Self::no_run)).to_string()
+    }
+
     /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text,
     /// headline, html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these
     /// numbers. A speed that follows from the rest of the case is not computed again; a probability is only
@@ -313,8 +322,11 @@ impl Run {
 
     fn made(&self, make: impl FnOnce(&run::Ran) -> Result<serde_json::Value, given::Refused>) -> String {
         let made = self.ran.as_ref().map(make);
-        let made = made.unwrap_or_else(|| Err(given::Refused::message("there is no run yet")));
-        given::made(made).to_string()
+        given::made(made.unwrap_or_else(Self::no_run)).to_string()
+    }
+
+    fn no_run() -> Result<serde_json::Value, given::Refused> {
+        Err(given::Refused::message("there is no run yet"))
     }
 
     /// An empty value if there is no run.

@@ -65,6 +65,12 @@ impl Ran {
         answer
     }
 
+    /// The same run in other units. Nothing is computed anew: a run is in SI.
+    pub(crate) fn in_units(&mut self, units: &str) -> Result<Value, Refused> {
+        self.given.set_units(units)?;
+        Ok(self.answer())
+    }
+
     /// An avoidability with its sliders moved.
     pub(crate) fn moved(&self, to: &str, sampled: bool) -> Result<Value, Refused> {
         match &self.answer {
@@ -209,6 +215,30 @@ mod tests {
         let none = run("uncertainty", [&text, NAME, "", options], &mut |_, _, _| false).unwrap();
         assert_eq!(none.answer()["ok"], true);
         assert_eq!(none.csv().lines().count(), 1);
+    }
+
+    /// What a run says in other units is what it says if it is asked in these.
+    #[test]
+    fn a_run_is_told_in_other_units() {
+        for (command, text, options) in [
+            ("uncertainty", fixture("sae-980025-uncertain.toml"), "{\"samples\": 500}"),
+            ("estimate", fixture("estimate.toml"), "{\"particles\": 128, \"pieces\": false}"),
+        ] {
+            let asked =
+                |units: &str| run(command, [&text, NAME, units, options], &mut |_, _, _| true).unwrap();
+            let said =
+                |ran: &Ran| (ran.answer(), ran.pictures(), ran.text(), ran.html(None).unwrap(), ran.csv());
+            let [si, mut ran] = ["si", "us"].map(asked);
+            assert_ne!(ran.answer()["headline"], si.answer()["headline"], "{command}");
+            assert_eq!(ran.in_units("si").unwrap(), si.answer(), "{command}");
+            assert!(said(&ran) == said(&si), "{command}");
+            // The units of the case.
+            ran.in_units("").unwrap();
+            assert!(said(&ran) == said(&asked("")), "{command}");
+            // Units that there are not change nothing.
+            assert!(ran.in_units("furlongs").is_err());
+            assert!(said(&ran) == said(&asked("")), "{command}");
+        }
     }
 
     #[test]

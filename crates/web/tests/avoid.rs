@@ -87,6 +87,24 @@ fn what_is_no_table_is_refused_and_says_why() {
     assert!(broken["message"].as_str().unwrap().contains("TOML"));
 }
 
+/// A table of the other kind says which it is, and which is to be chosen.
+#[test]
+fn a_table_of_the_other_kind_says_where_it_belongs() {
+    const PULSE: &str = "Time (msec)\tLongitudinal Delta-V (km/h)\n0\t0\n10\t-4\n20\t-9\n";
+    for (table, wrong, right, kind, wanted) in [
+        (PULSE, "pre_crash", "pulse", "ΔV over time", "speeds before the impact"),
+        (TABLE, "pulse", "pre_crash", "speeds before the impact", "ΔV over time"),
+    ] {
+        let refused = json(deltav_web::paste(BARE, &format!("vehicle1.recorder.{wrong}"), table));
+        assert_eq!(refused["ok"], false, "{refused:#}");
+        let problem = &refused["problems"][0];
+        let title = format!("this is a table of {kind}, not of {wanted}: the program read \"Time");
+        assert!(problem["title"].as_str().unwrap().starts_with(&title), "{refused:#}");
+        assert_eq!(problem["help"], format!("give it as `{right}`"));
+        made(deltav_web::paste(BARE, &format!("vehicle1.recorder.{right}"), table));
+    }
+}
+
 #[test]
 fn every_template_says_what_it_is_for() {
     for template in json(deltav_web::templates()).as_array().unwrap() {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{fixture, json, made};
+use crate::{fixture, json, made, number};
 
 fn look(text: &str, command: &str, what: &str) -> Value {
     json(deltav_web::look(text, command, "", what, ""))
@@ -31,6 +31,8 @@ fn a_look_is_the_answer_and_the_scene() {
                 for same in ["command", "headline", "warnings"] {
                     assert_eq!(look[same], answer[same], "{name} {command} {same}");
                 }
+                // Any other question is answered by what it asks for.
+                assert!(command == "reconstruct" || look["exact"].is_null(), "{name} {command} {look:#}");
                 let own = json(deltav_web::scene(&text, what, "", ""));
                 let usual = json(deltav_web::scene(&text, "", "", ""));
                 let expected = [own, usual].into_iter().find(|scene| scene["ok"] == true);
@@ -81,15 +83,74 @@ fn what_is_wrong_is_said() {
 }
 
 /// A case with more evidence than its exact solution uses gets its answer from an estimate: the page receives
-/// a flag for that, and no speed to show.
+/// the exact solution as what is not the answer, and no speed to show as the answer.
 #[test]
-fn a_look_says_whether_all_the_evidence_has_to_be_weighed() {
+fn a_look_has_the_exact_solution_that_is_not_the_answer() {
     let text = fixture("rear-end.toml") + "\n[estimate]\ncrush_bias = \"100 %\"\n";
-    assert_eq!(look(&text, "", "none")["weigh"], false);
+    assert_eq!(look(&text, "", "none")["exact"], Value::Null);
     let more = format!("{text}\n[vehicle1.recorder]\nspeed = \"20 km/h\"\n");
-    let look = look(&more, "", "scene");
-    assert_eq!(look["weigh"], true);
-    let headline = look["headline"].to_string();
+    let looked = look(&more, "", "scene");
+    let exact = &looked["exact"];
+    assert_eq!(exact["by"], "damage and the given speed");
+    let headline = looked["headline"].to_string();
     assert!(!headline.contains("km/h") && !headline.contains("mph"), "{headline}");
-    assert!(look["scene"]["svg"].as_str().unwrap().contains("not the answer"));
+    // The figures are those of the program.
+    let answer = made(deltav_web::answer(&more, "", "", None));
+    let data: Value = serde_json::from_str(answer["json"].as_str().unwrap()).unwrap();
+    let speed = number(&data["found"]["value"]);
+    for (units, figure) in
+        [("si", format!("{:.1} km/h", speed * 3.6)), ("us", format!("{:.2} mph", speed / 0.44704))]
+    {
+        let exact = &made(deltav_web::look(&more, "", units, "none", ""))["exact"];
+        assert_eq!(exact["speeds"][0], figure);
+        // The row of the table has the four figures in their order.
+        let row = ["speeds", "delta_v"].into_iter().flat_map(|of| [&exact[of][0], &exact[of][1]]);
+        let row: Vec<&str> = row.map(|figure| figure.as_str().unwrap()).collect();
+        let page = made(deltav_web::answer(&more, "", units, None));
+        let page = page["text"].as_str().unwrap();
+        let line = page.lines().find(|line| line.starts_with("damage and the given speed")).unwrap();
+        let words = line.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(words, format!("damage and the given speed {}", row.join(" ")));
+    }
+    // The sentence is that of the drawings.
+    let caveat = exact["caveat"].as_str().unwrap();
+    assert_eq!(
+        caveat,
+        "Exact solution by damage and the given speed, not the answer: other evidence of the case contradicts it."
+    );
+    assert!(looked["scene"]["description"].as_str().unwrap().ends_with(caveat), "{looked:#}");
+}
+
+#[test]
+fn a_fixed_object_has_no_figure() {
+    let given = "{ A = \"317 lb/in\", B = \"56 lb/in^2\", G = \"901 lb\" }";
+    let text = fixture("barrier.toml").replace(given, "{ category = 3 }");
+    let exact = &look(&text, "", "none")["exact"];
+    for figures in ["speeds", "delta_v"] {
+        assert!(exact[figures][0].is_string() && exact[figures][1].is_null(), "{exact:#}");
+    }
+}
+
+/// Warnings on an exact solution that is not the answer are told apart from those on the case.
+#[test]
+fn a_warning_is_aside_if_it_concerns_only_what_is_not_the_answer() {
+    let codes = |name: &str, aside: bool| {
+        let looked = look(&fixture(name), "", "none");
+        let warnings = looked["warnings"].as_array().unwrap().iter();
+        let of_kind = warnings.filter(|warning| warning["aside"] == aside);
+        of_kind.map(|warning| warning["code"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    for (name, own, aside) in [
+        (
+            "edcrash-tutorial.toml",
+            &["contact-apart", "contact-placed", "contact-placed"][..],
+            &["momentum-differs"][..],
+        ),
+        ("rear-end.toml", &[], &["category-energy"]),
+        // The exact solution is the answer.
+        ("ricsac/03.toml", &["given-speed-unused", "contact-outside", "contact-off-damage"], &[]),
+    ] {
+        assert_eq!(codes(name, false), own, "{name}");
+        assert_eq!(codes(name, true), aside, "{name}");
+    }
 }

@@ -37,8 +37,14 @@ export const texts = {
     label: "What this is",
     what: "The speeds of two vehicles before their collision, from damage, marks and recorders.",
     first: "This is an example. First choose “New case…” or “Open…”, then enter your numbers.",
-    local: "Nothing that you enter leaves this page.",
+    local: "What you enter stays on this computer.",
     close: "Got it",
+  },
+
+  draft: {
+    label: "Your draft",
+    of: (time: string) => `This is your draft of ${time}, which this browser has kept.`,
+    afresh: "Start afresh",
   },
 
   /** Labels that the keys themselves do not give. */
@@ -65,6 +71,8 @@ export const texts = {
     tangential: "Along the crush plane (friction)",
     find: "Speed to find",
     from_force_balance: "From force balance",
+    pre_crash: "Speed before the impact",
+    pulse: "ΔV during the impact",
   } as Record<string, string>,
 
   /** What the words mean that stand for a choice in the file, by the last part of its key. */
@@ -140,6 +148,7 @@ export const texts = {
     paragraphs: [
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
+      "The browser keeps your case as a draft, so that a reload does not lose it. The next case that you open takes its place, and “Start afresh” removes it. A draft is no file: save the case to keep it.",
       "The engine is that of the program of the same name, and gives the same numbers to the last bit.",
       "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, and results other than speeds and ΔV in the probability of an estimate.",
     ],
@@ -184,8 +193,9 @@ export const texts = {
       roomy: "The inputs and the method are taken as exact, so these figures have no interval. The view Estimate gives intervals that include the errors of both.",
       brief: "Taken as exact, these figures have no interval.",
     },
-    exact: (by: string) => `Exact solution${by === "" ? "" : ` by ${by}`}, not the answer:`,
-    columns: { "speed 1": "speed of vehicle 1", "speed 2": "speed of vehicle 2", "ΔV 1": "ΔV of vehicle 1", "ΔV 2": "ΔV of vehicle 2" } as Record<string, string>,
+    exact: (by: string) => `Exact solution by ${by}, not the answer:`,
+    speed: (vehicle: number, figure: string) => `speed of vehicle ${vehicle} ${figure}`,
+    deltaV: (vehicle: number, figure: string) => `ΔV of vehicle ${vehicle} ${figure}`,
     inResults: "This question is answered by tables.",
     inAvoid: "The speed at the impact is found first.",
     none: "No answer yet.",
@@ -488,10 +498,6 @@ export const texts = {
       ["2", "vehicle 2"],
     ],
     what: "Table",
-    tables: [
-      ["pre_crash", "speed before the impact"],
-      ["pulse", "ΔV during the impact"],
-    ],
     put: "Put into the case",
   },
 

@@ -253,7 +253,7 @@ impl<'t> Reader<'t> {
             SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
             _ => (if table.has("text") { "text" } else { "time" }, refusal.place()),
         };
-        let problem = CaseProblem::Fault { message: refusal.to_string(), help: None };
+        let problem = CaseProblem::Fault { message: refusal.to_string(), help: refusal.advice() };
         let span = table.get(key).map(|value| {
             let span = value.span();
             let of_place = value.get_ref().as_str().zip(place);

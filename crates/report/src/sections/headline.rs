@@ -1,13 +1,14 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
 //! weighed if there is more, followed by the exact solutions and the objections to each.
 
-use analysis::{Seen, Solution, Weighed, WhyNotExact};
+use analysis::{Analysis, Seen, Solution, Weighed, WhyNotExact};
 use pim_core::VehicleId;
 
 use super::chosen::or_none;
 use crate::checks;
 use crate::document::{Block, Column, Document, Row, Table};
 use crate::estimates::Asked;
+use crate::pictures;
 use crate::units::{Measure, Units, number};
 use crate::words;
 
@@ -20,6 +21,29 @@ pub(crate) enum Headline<'a> {
     Unweighed(&'a WhyNotExact),
     /// All the evidence.
     Weighed(&'a Weighed),
+}
+
+/// An exact solution that is not the answer of its case, with its figures as the reader sees them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExactSolution {
+    /// The part of the evidence that it uses.
+    pub by: &'static str,
+    /// The speeds of the vehicles that move.
+    pub speeds: [Option<String>; 2],
+    /// The ΔV of the vehicles that move.
+    pub delta_v: [Option<String>; 2],
+    /// That it is not the answer, and why: the sentence below the title of its drawings.
+    pub caveat: String,
+}
+
+impl ExactSolution {
+    /// The exact solution of an analysis; `None` if it is the answer, and if there is none.
+    #[must_use]
+    pub fn not_the_answer(analysis: &Analysis, units: Units) -> Option<Self> {
+        let why = analysis.why_not_exact()?;
+        let [speeds, delta_v] = figures(analysis, units);
+        Some(Self { by: words::solution(why.solved_by), speeds, delta_v, caveat: pictures::caveat(analysis) })
+    }
 }
 
 /// The heading of the details of an exact solution that is not the answer.
@@ -134,17 +158,23 @@ fn columns() -> Vec<Column> {
 
 /// The exact solution of an analysis, if nothing else was solved.
 fn exact(why: &WhyNotExact, analysis: &Seen, units: Units) -> Table {
-    let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution").columns(columns());
-    let of_moving = |of: &dyn Fn(VehicleId) -> Option<f64>| {
-        VehicleId::ALL.map(|id| or_none(of(id).filter(|_| analysis.moves(id)).map(speed)))
-    };
-    let speeds = of_moving(&|id| Some(analysis.speed(id)));
+    let figures = figures(analysis, units).into_iter().flatten().map(or_none);
+    table.cells(std::iter::once(words::solution(why.solved_by).to_owned()).chain(figures));
+    table
+}
+
+/// The speeds of an exact solution and the ΔV, of the vehicles that move.
+fn figures<W>(analysis: &Analysis<W>, units: Units) -> [[Option<String>; 2]; 2] {
     let delta_v = analysis.both.as_ref().map(|both| both.delta_v);
     let delta_v = delta_v.or_else(|| Some(analysis.impact.as_ref()?.outcome.delta_v_magnitude()));
-    let changes = of_moving(&|id| Some(delta_v?[id.index()]));
-    table.cells([words::solution(why.solved_by).to_owned()].into_iter().chain(speeds).chain(changes));
-    table
+    let of_moving = |of: &dyn Fn(VehicleId) -> Option<f64>| {
+        VehicleId::ALL.map(|id| {
+            let found = of(id).filter(|_| analysis.moves(id))?;
+            Some(units.format(Measure::RoadSpeed, found))
+        })
+    };
+    [of_moving(&|id| Some(analysis.speed(id))), of_moving(&|id| Some(delta_v?[id.index()]))]
 }
 
 /// The exact solutions, each with the objections to it.
