@@ -123,6 +123,13 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
          yaw rate after impact, {} positive. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
         axes::sense(case.axes)
     ));
+    if comparison.own.both.as_ref().is_some_and(|both| !both.is_by_crush()) {
+        page.paragraph(
+            "Momentum gives the speeds of this case, so no law changes them. The other figures of each row are \
+             those of an impact by that law at these speeds; `deltav reconstruct` gives ΔV by momentum itself."
+                .to_owned(),
+        );
+    }
     page.blocks.extend(warnings::of_analysis(&comparison.own, case, units));
     page
 }
