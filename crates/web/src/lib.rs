@@ -78,9 +78,9 @@ pub fn check(text: &str, name: Option<String>) -> String {
 /// `sensitivity` or `recorder`. An empty one is the most complete that the case allows.
 ///
 /// `{ ok: true, command, headline, html, charts: [{ name, title, svg }], text, json, csv, warnings: [{ code,
-/// message, vehicle, keys, aside }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is
-/// byte for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has the
-/// stored data. A warning is `aside` if it concerns only an exact solution that is not the answer.
+/// message, vehicle, keys, aside }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json`
+/// is byte for byte what the program writes; `csv` is `null` if the command has none; for `recorder`, it has
+/// the stored data. A warning is `aside` if it concerns only an exact solution that is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
@@ -97,10 +97,10 @@ pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> S
 /// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. `able` may have `avoid`,
 /// whose headline is that of the central values, or empty if its speed has to be found first; and `recorder`.
 ///
-/// `exact` is `null` unless the case has an exact solution that is not the answer: then the answer is that of
-/// an estimate, `headline` only says so, and `exact` is `{ by, speeds, delta_v, caveat }`. `by` names the part
-/// of the evidence that the solution uses; `speeds` and `delta_v` have a text for each vehicle, `null` for one
-/// that does not move; `caveat` says why the solution is not the answer.
+/// `exact` is `null` unless the case has an exact solution that is not the answer: then the answer is that
+/// of an estimate, `headline` only says so, and `exact` is `{ by, speeds, delta_v, caveat }`. `by` names the
+/// part of the evidence that the solution uses; `speeds` and `delta_v` have a text for each vehicle, `null`
+/// for one that does not move; `caveat` says why the solution is not the answer.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
