@@ -1,4 +1,5 @@
-// The case as it was left, kept by the browser, so that a reload does not lose it.
+// The case as it was left, kept by the tab until it is closed, so that a reload does not lose it. No other page and no
+// later user of the computer can read it.
 import type { Units } from "./engine.js";
 
 interface Kept {
@@ -33,7 +34,7 @@ function isDraft(value: unknown): value is Draft {
 
 /** The draft; nothing where there is none. */
 export function keptDraft(): Draft | null {
-  const value = allowed((): unknown => JSON.parse(localStorage.getItem(KEY) ?? "null"));
+  const value = allowed((): unknown => JSON.parse(sessionStorage.getItem(KEY) ?? "null"));
   return isDraft(value) ? value : null;
 }
 
@@ -41,9 +42,9 @@ export function keptDraft(): Draft | null {
 export function keepDraft(kept: Kept): void {
   const last = keptDraft();
   if (last && (["name", "text", "saved", "units"] as const).every((part) => last[part] === kept[part])) return;
-  allowed(() => localStorage.setItem(KEY, JSON.stringify({ ...kept, time: Date.now() } satisfies Draft)));
+  allowed(() => sessionStorage.setItem(KEY, JSON.stringify({ ...kept, time: Date.now() } satisfies Draft)));
 }
 
 export function forgetDraft(): void {
-  allowed(() => localStorage.removeItem(KEY));
+  allowed(() => sessionStorage.removeItem(KEY));
 }

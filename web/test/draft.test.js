@@ -1,4 +1,4 @@
-// The draft that the browser keeps, so that a reload does not lose the case.
+// The draft that the tab keeps, so that a reload does not lose the case.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -22,8 +22,8 @@ const load = async (page, url = page.url()) => {
 };
 
 /** The text is kept. */
-const kept = (page, words) => page.waitForFunction(([key, words]) => localStorage.getItem(key)?.includes(words), [KEY, words]);
-const forgotten = (page) => page.waitForFunction((key) => localStorage.getItem(key) === null, KEY);
+const kept = (page, words) => page.waitForFunction(([key, words]) => sessionStorage.getItem(key)?.includes(words), [KEY, words]);
+const forgotten = (page) => page.waitForFunction((key) => sessionStorage.getItem(key) === null, KEY);
 
 const setSpeed = (page, speed) => page.locator('[data-key="vehicle2.speed"] input').first().fill(speed);
 
@@ -37,7 +37,7 @@ onPage("a reload has the case as it was left, and starts afresh if that is wante
   await setSpeed(page, "12");
   await kept(page, "12 mph");
   await load(page);
-  assert.match(await line(page).innerText(), /^This is your draft of \d+ \w+ \d{4} at \d\d:\d\d, which this browser has kept\./);
+  assert.match(await line(page).innerText(), /^This is your draft of \d+ \w+ \d{4} at \d\d:\d\d, which this tab has kept\./);
   assert.equal(await name(page), "rear-end.toml");
   assert.equal(await page.locator("#units").inputValue(), "si");
   // It is a change of the file that was opened, and the answer is in the units that were chosen.
@@ -61,7 +61,7 @@ onPage("a reload has the case as it was left, and starts afresh if that is wante
 onPage("the next case takes the place of the draft, which is as old as its last change", async (page) => {
   await setSpeed(page, "11");
   await kept(page, "11 ");
-  const time = () => page.evaluate((key) => JSON.parse(localStorage.getItem(key)).time, KEY);
+  const time = () => page.evaluate((key) => JSON.parse(sessionStorage.getItem(key)).time, KEY);
   const before = await time();
   await load(page);
   await page.waitForTimeout(500);
@@ -82,7 +82,7 @@ onPage("an interactive report shows its own case, and keeps no draft", async (pa
   const report = await fromMenu(page, "Save an interactive report");
   await setSpeed(page, "11");
   await kept(page, "11 ");
-  const draft = await page.evaluate((key) => localStorage.getItem(key), KEY);
+  const draft = await page.evaluate((key) => sessionStorage.getItem(key), KEY);
   const file = join(tmpdir(), `deltav-draft-${process.pid}.html`);
   writeFileSync(file, report.bytes);
   await load(page, pathToFileURL(file).href);
@@ -90,17 +90,17 @@ onPage("an interactive report shows its own case, and keeps no draft", async (pa
   await setSpeed(page, "13");
   await page.locator(".welcome", { hasText: "has been changed since" }).waitFor();
   await page.waitForTimeout(500);
-  assert.equal(await page.evaluate((key) => localStorage.getItem(key), KEY), draft);
+  assert.equal(await page.evaluate((key) => sessionStorage.getItem(key), KEY), draft);
 });
 
 onPage("where the browser keeps nothing, or something else stands there, the page begins with the example", async (page) => {
-  await page.evaluate((key) => localStorage.setItem(key, '{"text": 5}'), KEY);
+  await page.evaluate((key) => sessionStorage.setItem(key, '{"text": 5}'), KEY);
   await load(page);
   assert.match(await line(page).innerText(), /This is an example/);
-  await page.evaluate((key) => localStorage.setItem(key, "{"), KEY);
+  await page.evaluate((key) => sessionStorage.setItem(key, "{"), KEY);
   await load(page);
   assert.match(await line(page).innerText(), /This is an example/);
-  await page.addInitScript(() => Object.defineProperty(window, "localStorage", {
+  await page.addInitScript(() => Object.defineProperty(window, "sessionStorage", {
     get: () => {
       throw new DOMException("The operation is insecure.", "SecurityError");
     },

@@ -869,7 +869,7 @@ onPage("the form asks in the order in which one knows things: vehicles, damage, 
 
 onPage("the first minute: what this is, what to do first, that it stays here; and the ways past the form", async (page) => {
   const welcome = page.locator(".welcome");
-  assert.match(await welcome.innerText(), /example.*New case….*stays on this computer/s);
+  assert.match(await welcome.innerText(), /example.*New case….*leaves this page/s);
   await page.keyboard.press("Tab");
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Skip to the views");

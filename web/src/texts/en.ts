@@ -37,13 +37,13 @@ export const texts = {
     label: "What this is",
     what: "The speeds of two vehicles before their collision, from damage, marks and recorders.",
     first: "This is an example. First choose “New case…” or “Open…”, then enter your numbers.",
-    local: "What you enter stays on this computer.",
+    local: "Nothing that you enter leaves this page.",
     close: "Got it",
   },
 
   draft: {
     label: "Your draft",
-    of: (time: string) => `This is your draft of ${time}, which this browser has kept.`,
+    of: (time: string) => `This is your draft of ${time}, which this tab has kept.`,
     afresh: "Start afresh",
   },
 
@@ -148,7 +148,7 @@ export const texts = {
     paragraphs: [
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
-      "The browser keeps your case as a draft, so that a reload does not lose it. The next case that you open takes its place, and “Start afresh” removes it. A draft is no file: save the case to keep it.",
+      "Until you close it, the tab keeps your case as a draft, so that a reload does not lose it. The next case that you open takes its place, and “Start afresh” removes it. A draft is no file: save the case to keep it.",
       "The engine is that of the program of the same name, and gives the same numbers to the last bit.",
       "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, and results other than speeds and ΔV in the probability of an estimate.",
     ],
