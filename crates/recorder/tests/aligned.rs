@@ -1,4 +1,4 @@
-//! Text with its columns in runs of blanks, as `pdftotext -layout` and reports print them, with invented numbers.
+//! Text with runs of blanks between its columns, as `pdftotext -layout` gives it, with invented numbers.
 
 use recorder::{Channel, RecorderTable, TextLayout, TextRefusal, read_tables};
 
