@@ -370,6 +370,15 @@ pub enum TextRefusal {
         /// Its place.
         place: TextPlace,
     },
+    /// Values one below the other that may be of rows or of columns.
+    #[error(
+        "{place}: the values below this heading may be those of one row after the other, or of one column after the \
+         other: write each row in one line"
+    )]
+    EitherWay {
+        /// The place of the heading.
+        place: TextPlace,
+    },
     /// A heading without a known place for its times.
     #[error(
         "{place}: the times of \"{heading}\" are not its first column: put them first, or write a semicolon between \
@@ -591,6 +600,7 @@ impl TextRefusal {
             | Self::NotLong => None,
             Self::NoTime { place, .. }
             | Self::TimeNotFirst { place, .. }
+            | Self::EitherWay { place }
             | Self::NoQuantity { place, .. }
             | Self::NoRows { place, .. }
             | Self::Unit { place, .. }

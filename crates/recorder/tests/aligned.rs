@@ -1,4 +1,4 @@
-//! Text with its columns in runs of blanks, as `pdftotext -layout` and reports print them, with invented numbers.
+//! Text with runs of blanks between its columns, as `pdftotext -layout` gives it, with invented numbers.
 
 use recorder::{Channel, RecorderTable, TextLayout, TextRefusal, read_tables};
 
@@ -195,6 +195,22 @@ fn a_row_that_lines_up_with_nothing_is_refused() {
         let TextRefusal::CellUnplaced { place, .. } = &refusal else { panic!("{row}{refusal}") };
         assert_eq!((place.line, place.column), at, "{refusal}");
     }
+    // Within the width of its column, but on none of its edges.
+    let text = "\
+Time (s)    Speed (km/h)    ABS Activity
+-1.0        60              Non-Engaged
+-0.5                          Off
+";
+    assert!(matches!(refused(text), TextRefusal::CellUnplaced { .. }), "{}", refused(text));
+    one(&text.replace("-0.5                          Off", "-0.5                        Off"));
+    // Beside an empty cell, a heading over no value may be that of another column.
+    let text = "\
+Time (s)    Pedal (%)             Engine Throttle (%)
+-1.0                    14        15
+-0.5                              15
+";
+    assert!(matches!(refused(text), TextRefusal::HeadingUnplaced { .. }), "{}", refused(text));
+    one(&text.replace("-0.5                  ", "-0.5                 0"));
     // Three blanks between all fields: nothing lines up, and the second value may be of either column.
     let text = "Time (s)   Speed (km/h)   Pedal (%)\n-1.0   60   14\n-0.5   14\n0.0   50   14\n";
     assert!(matches!(refused(text), TextRefusal::HeadingUnplaced { .. }), "{}", refused(text));

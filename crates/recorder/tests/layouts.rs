@@ -923,6 +923,17 @@ fn a_row_across_with_an_empty_cell_is_refused() {
             assert_eq!((place.line, found), (line, count), "{text}");
         }
     }
+    // A mark that stands apart from its value fills no cell.
+    for text in [
+        "Time (s) -1.0 -0.5 0\nSpeed (km/h) 60 * 58\n",
+        "Time (s) -1.0 -0.5 0\nSpeed (km/h) 60 58 50\nService Brake On * Off\n",
+        "Time (s) Speed (km/h) Brake\n-1.0 60 On\n-0.5 60 *\n0 50 On\n",
+    ] {
+        let said = read_tables(text).unwrap_err().to_string();
+        assert!(said.contains("2 values, where 3 are needed"), "{said}");
+    }
+    let table = one("Time (s) Speed (km/h) Brake\n-1.0 60 * On\n-0.5 60 On †\n0 50 On\n");
+    assert_eq!(table.doubts, []);
     // The states of a switch above its values, and words that name a quantity, are no row.
     let text = "Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\nService Brake, On Off\nOff On On\n\
                 The brake was off\n";
@@ -1008,4 +1019,23 @@ fn a_note_between_rows_begins_no_table() {
     let expected = "line 1, column 1: the times of \"Brake Speed (km/h) Time (s)\" are not its first column: put \
                     them first, or write a semicolon between the columns";
     assert_eq!(said, expected);
+}
+
+/// Values one below the other that rise both as rows and as columns are read as their kinds and steps say, or
+/// refused.
+#[test]
+fn values_below_each_other_are_rows_or_columns() {
+    let read =
+        |heading: &str, cells: &str| read_tables(&format!("{heading}\n{}\n", cells.replace(' ', "\n")));
+    let brake = "Time (s)\nEngine Throttle (%)\nService Brake\nVehicle Speed (km/h)\nAccelerator Pedal (%)";
+    let table = read(brake, "-2.0 -1.0 0 14 33 0 On Off On 60 55 52 5 0 0").unwrap().remove(0);
+    assert_eq!(table.layout, TextLayout::ColumnAfterColumn);
+    assert_eq!(values(&table, Channel::Speed, KMH), [60.0, 55.0, 52.0]);
+    let speeds = "Time (s)\nVehicle Speed (km/h)";
+    let table = read(speeds, "-2.0 -1.0 0 30 35 52").unwrap().remove(0);
+    assert_eq!(values(&table, Channel::Speed, KMH), [30.0, 35.0, 52.0]);
+    let table = read(speeds, "-2.0 3 0 5 2 9").unwrap().remove(0);
+    assert_eq!(values(&table, Channel::Speed, KMH), [3.0, 5.0, 9.0]);
+    let said = read(speeds, "0 1 2 3 4 7").unwrap_err().to_string();
+    assert!(said.starts_with("line 1, column 1: the values below this heading may be those of"), "{said}");
 }

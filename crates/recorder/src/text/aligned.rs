@@ -122,8 +122,8 @@ fn lone(lines: &[Vec<Field>]) -> Option<Field> {
     lines.iter().filter(|line| line.len() == 1).flatten().find(|cell| is_value(cell)).cloned()
 }
 
-/// Whether a line is a row below this heading: all its cells are values, or its time is a number, or it has as
-/// many cells as the last row and values in half of them.
+/// Whether a line is a row below this heading: all its cells are values, or its time is a number, or it has
+/// as many cells as the last row and values in half of them.
 fn is_row(line: &[Field], heading: &[Vec<Field>], last: Option<&Vec<Field>>) -> bool {
     if line.len() > 1 && holds_values(line) {
         return true;
@@ -517,8 +517,8 @@ fn is_axis(text: &str) -> bool {
     Axis::of(plain.split_whitespace()).is_some()
 }
 
-/// The columns of a grid with their headings. A heading over no value is a column of empty cells, which is put
-/// into the grid.
+/// The columns of a grid with their headings. A heading over no value is a column of empty cells, which is
+/// put into the grid.
 fn headed(heading: &[Vec<Field>], grid: &mut Grid) -> Result<Headed, TextRefusal> {
     let width = grid.spans.len();
     let whole = heading.iter().rposition(|line| line.len() == width);

@@ -1,7 +1,7 @@
 //! Text copied out of a printed report: lines of words and values without a reliable separator between them.
 
 use super::heads::{Head, heads, labels, quoted};
-use super::raw::RawTable;
+use super::raw::{self, RawTable};
 use super::rows::{self, Cell};
 use super::tokens::{Piece, Token, Word, bare, is_value, line, number};
 use crate::channel::Channel;
@@ -234,8 +234,8 @@ impl Segments {
         }
     }
 
-    /// Whether a line is the next row of the table although the words before it name a quantity, as a note may:
-    /// its time follows after the same step.
+    /// Whether a line is the next row of the table although the words before it name a quantity, as a note
+    /// may: its time follows after the same step.
     fn goes_on(&self, values: &[Token]) -> bool {
         let names_time = [heads(&self.pending), labels(&self.pending)]
             .concat()
@@ -349,6 +349,9 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     let by_columns = are_times(flat.iter().take(rows));
     let layout = match (whole, by_rows, by_columns) {
         (true, ..) => TextLayout::RowLines,
+        (false, true, true) => {
+            either(&segment.heads, &flat).ok_or(TextRefusal::EitherWay { place: first })?
+        }
         (false, true, _) => TextLayout::RowAfterRow,
         (false, false, true) => TextLayout::ColumnAfterColumn,
         (false, false, false) => return Err(uneven()),
@@ -369,6 +372,34 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
         }
     }
     Ok(RawTable { layout, columns, ignored: segment.unread })
+}
+
+/// Whether values in either order are row after row or column after column: that in which each is a value of
+/// its column, and the times have equal steps.
+fn either(heads: &[Head], flat: &[Token]) -> Option<TextLayout> {
+    let rows = flat.len() / heads.len();
+    let of_column = |column: usize, by_rows: bool| {
+        let at = move |row: usize| if by_rows { row * heads.len() + column } else { column * rows + row };
+        (0..rows).map(move |row| &flat[at(row)])
+    };
+    let is_even = |by_rows: bool| {
+        let times: Vec<f64> = of_column(0, by_rows).filter_map(|token| number(&token.text, false)).collect();
+        let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+        steps.clone().all(|step| (step - (times[1] - times[0])).abs() < 0.01 * step.abs())
+    };
+    let fits = |by_rows: &bool| {
+        let fits = |(column, head): (usize, &Head)| {
+            of_column(column, *by_rows).all(|token| raw::may_be(token, head.channel))
+        };
+        heads.iter().enumerate().all(fits)
+    };
+    let fitting: Vec<bool> = [true, false].into_iter().filter(fits).collect();
+    let even: Vec<bool> = fitting.iter().copied().filter(|by_rows| is_even(*by_rows)).collect();
+    match (fitting.as_slice(), even.as_slice()) {
+        ([by_rows], _) | (_, [by_rows]) if *by_rows => Some(TextLayout::RowAfterRow),
+        ([_], _) | (_, [_]) => Some(TextLayout::ColumnAfterColumn),
+        _ => None,
+    }
 }
 
 /// The values of a line, with each minus joined to the number after it: `- 5.0`.

@@ -163,6 +163,20 @@ fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Re
     Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
 }
 
+/// Whether a cell may be of a quantity: a state of a switch, a number of any other, or a word for no value.
+pub(super) fn may_be(token: &Token, channel: Channel) -> bool {
+    let text = bare(&token.text).to_lowercase();
+    let printed = number(&text, true);
+    let is_state =
+        is_one_of(ON, &text) || is_one_of(OFF, &text) || printed.is_some_and(|of| of == 0.0 || of == 1.0);
+    match channel {
+        Channel::Other => true,
+        _ if is_one_of(NONE, &text) => channel != Channel::Time,
+        _ if channel.is_switch() => is_state,
+        _ => printed.is_some() || token.is_empty(),
+    }
+}
+
 /// Whether a word of a heading is the name of a time.
 fn names_time(heading: &str) -> bool {
     heading.split_whitespace().any(|word| heading_at(&[&plain(word)]) == Some((Channel::Time, 1)))

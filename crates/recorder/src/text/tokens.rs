@@ -158,6 +158,15 @@ pub(crate) fn line(text: &str, number_of_line: usize) -> Vec<Piece> {
             at += 2;
             continue;
         }
+        // A mark that stands apart from its value fills no cell.
+        if depth == 0
+            && unmarked.is_empty()
+            && value.is_none()
+            && matches!(found.last(), Some(Piece::Value(_)))
+        {
+            at += 1;
+            continue;
+        }
         match (value, inner) {
             (Some((count, text)), _) => {
                 found.push(Piece::Value(Token { text, bracket: None, place }));
