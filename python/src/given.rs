@@ -671,10 +671,10 @@ impl PyCase {
     /// -------
     /// Result
     ///     With ``vehicles``, a record or ``None`` for each: ``recognised``, ``speed_at_impact``,
-    ///     ``samples`` and ``pulse``; SI units. The last of the samples is the impact, at time 0. Of the pulse,
-    ///     ``longitudinal`` and ``lateral`` are as stored, lateral to the right; ``delta_v_at_recorder`` and
-    ///     ``delta_v_at_center`` are along the vehicle and across it in the axes of the case, the latter
-    ///     ``None`` unless the case has ``at`` and ``yaw_rate``.
+    ///     ``samples`` and ``pulse``; SI units. The last of the samples is the impact, at time 0. Of the
+    ///     pulse, ``longitudinal`` and ``lateral`` are as stored, lateral to the right;
+    ///     ``delta_v_at_recorder`` and ``delta_v_at_center`` are along the vehicle and across it in the axes
+    ///     of the case, the latter ``None`` unless the case has ``at`` and ``yaw_rate``.
     ///
     /// Raises
     /// ------

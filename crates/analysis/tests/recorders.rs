@@ -313,8 +313,8 @@ fn the_bound_of_a_cut_record_is_taken_to_the_centre() {
     }
 }
 
-/// From 60 km/h at −0.5 s, with the brake off in every sample: to the impact, 0.5 s at the mean of 60 km/h and
-/// the median of the speed at the impact. A brake at 0 s is kept in the point of the impact.
+/// From 60 km/h at −0.5 s, with the brake off in every sample: to the impact, 0.5 s at the mean of 60 km/h
+/// and the median of the speed at the impact. A brake at 0 s is kept in the point of the impact.
 #[test]
 fn the_path_ends_at_the_impact() {
     let path = |lines: &str| {
@@ -396,8 +396,9 @@ fn the_record_of_the_impact_is_found_by_direction_and_size() {
 
 /// Two records and two impacts; nothing is known about this impact, and the second record agrees exactly with
 /// the other one. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is
-/// not known, and for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand
-/// (0.98/(√2π · 20°) + 0.02/2π) · 2π and 4/(0.45 √2π).
+/// not known, and for direction and size without any difference 7.0407 · 3.5462 = 24.967, by hand (0.98/(√2π
+/// · 20.047°) + 0.02/2π) · 2π and 4/(0.45 √2π). The direction has 20°, and the 1.378° that the rounding of 12
+/// km/h to 1 km/h gives it.
 #[test]
 fn records_are_of_the_impacts_in_their_order() {
     let records = "records = [{ speed = \"50 km/h\" }, { delta_v_longitudinal = \"0 km/h\", delta_v_lateral = \"12 km/h\" }]";
@@ -411,7 +412,7 @@ fn records_are_of_the_impacts_in_their_order() {
         let found = judge(&CaseFile::parse("case.toml", text).unwrap().case).records;
         found.into_iter().map(|(_, one)| (one.probability, one.other.unwrap())).collect::<Vec<_>>()
     };
-    let alike = 0.45 * 25.026_2;
+    let alike = 0.45 * 24.967_366;
     // None and none, none and one, one and none, one and the other.
     let whole = 0.01 + 0.1 * (0.45 + alike) + 0.1 * (0.45 + 0.45) + 0.45 * alike;
     let [first, second] = other("after")[..] else { panic!("two records") };
@@ -529,7 +530,7 @@ fn records_are_told_apart_without_a_pdof() {
     let reading = recorders(&file.case).unwrap();
     let of_impact = reading.vehicles[0].as_ref().unwrap().of_impact;
     assert_eq!(of_impact.number, Some(2), "{of_impact:?}");
-    assert!(of_impact.probability > 0.99, "{of_impact:?}");
+    assert!(of_impact.probability > 0.97, "{of_impact:?}");
     let delta_v = 3.6 * of_impact.impact.delta_v.unwrap();
     assert!((delta_v - 42.01).abs() < 0.01, "{delta_v}");
     assert!(of_impact.impact.force_direction.unwrap().abs() < 1e-9);

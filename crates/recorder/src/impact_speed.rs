@@ -649,7 +649,7 @@ impl ImpactSpeed {
             }
             _ => None,
         };
-        let mut parts = parts(&legs, errors);
+        let mut parts = parts(&as_drawn(&legs), errors);
         let speeds = speeds(&legs, errors);
         let is_cut = speeds.iter().any(|speed| *speed < 0.0);
         let draws = Draws::new(speeds.into_iter().map(|speed| speed.max(0.0) + 0.0).collect());
@@ -713,20 +713,30 @@ fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart>
     all
 }
 
+/// The place of the leg that a point of the unit cube chooses.
+fn leg_of(point: &[f64; DIMENSIONS], legs: &[(f64, Leg)]) -> usize {
+    let mut share = point[5];
+    let is_within = |(weight, _): &(f64, Leg)| {
+        let is_within = share < *weight;
+        share -= weight;
+        is_within
+    };
+    legs.iter().position(is_within).unwrap_or(legs.len() - 1)
+}
+
+/// The legs with the shares of the points that choose them, which differ a little from their probabilities:
+/// the parts are those of the mean and the variance of the points.
+fn as_drawn(legs: &[(f64, Leg)]) -> Vec<(f64, Leg)> {
+    let mut shares = vec![0.0; legs.len()];
+    (0..POINTS).for_each(|k| shares[leg_of(&radical_point(k), legs)] += 1.0 / f64::from(POINTS));
+    shares.into_iter().zip(legs).map(|(share, (_, leg))| (share, leg.clone())).collect()
+}
+
 /// (m/s) evenly spread speeds at the impact. One below 0 is that of a vehicle that stopped before.
 fn speeds(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<f64> {
     let draw = |k: u32| {
         let point = radical_point(k);
-        let mut share = point[5];
-        let mut chosen = &legs[0].1;
-        for (weight, leg) in legs {
-            chosen = leg;
-            if share < *weight {
-                break;
-            }
-            share -= weight;
-        }
-        chosen.draw(&point, errors)
+        legs[leg_of(&point, legs)].1.draw(&point, errors)
     };
     (0..POINTS).map(draw).collect()
 }

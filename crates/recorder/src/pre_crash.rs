@@ -66,10 +66,11 @@ impl StepSource {
 /// How many different speeds show that all are stored in steps of 2 or of 5 of their unit. If they are not,
 /// 5 whole numbers are all even with a probability of 1/32.
 const SHOW_MULTIPLES: usize = 5;
-/// How many different speeds in whole km/h show whole miles per hour. Of all whole km/h, 62 % are a whole mile
-/// per hour after rounding: 8 are all by chance with a probability of 1/44.
+/// How many different speeds in whole km/h show whole miles per hour. Of all whole km/h, 62 % are a whole
+/// mile per hour after rounding: 8 are all by chance with a probability of 1/44.
 const SHOW_MILES: usize = 8;
-/// As [`SHOW_MILES`], of speeds in km/h with one decimal: two are whole miles to 0.05 km/h in one of 250 pairs.
+/// As [`SHOW_MILES`], of speeds in km/h with one decimal: two are whole miles to 0.05 km/h in one of 250
+/// pairs.
 const SHOW_MILES_BY_DECIMALS: usize = 2;
 
 /// (m/s) the step in which these speeds (m/s) of a column in `unit` (m/s) are stored, and how it was found.
@@ -187,14 +188,14 @@ impl Default for SpeedLimits {
     }
 }
 
-/// (m) a distance between two samples by the speed of the wheels: its bounds, and the three sums that practice
-/// prints. Where the wheels slip, as in braking, the vehicle moves farther, and may move farther than
-/// `at_most`.
+/// (m) a distance between two samples by the speed of the wheels: its bounds, and the three sums that
+/// practice prints. Where the wheels slip, as in braking, the vehicle moves farther, and may move farther
+/// than `at_most`.
 ///
 /// `at_least` and `at_most` hold for every course of the wheel speed that keeps [`SpeedLimits`]: between
-/// samples it need be neither monotonic nor straight. Where two samples differ by more than those limits allow
-/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The
-/// sums `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not
+/// samples it need be neither monotonic nor straight. Where two samples differ by more than those limits
+/// allow ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense.
+/// The sums `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not
 /// rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DistanceBounds {
@@ -365,8 +366,8 @@ impl PreCrash {
         Ok(Self { samples, step: stored_step(&speeds, REGULAR_STEP) })
     }
 
-    /// The record in a table that was read from a text. Its [`step`](Self::step) is a whole number of the unit
-    /// of the speeds, if all of them are, and otherwise as of [`PreCrash::new`].
+    /// The record in a table that was read from a text. Its [`step`](Self::step) is a whole number of the
+    /// unit of the speeds, if all of them are, and otherwise as of [`PreCrash::new`].
     ///
     /// # Errors
     ///

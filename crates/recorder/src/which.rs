@@ -42,8 +42,8 @@ impl OneAxis {
 /// The data of a record that distinguish impacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EventRecord {
-    /// (rad) principal direction of force of its ΔV; `None` if it has only one axis, or if ΔV is so small that
-    /// its rounding leaves no direction.
+    /// (rad) principal direction of force of its ΔV; `None` if it has only one axis, or if ΔV is so small
+    /// that its rounding leaves no direction.
     pub force_direction: Option<f64>,
     /// (m/s) its ΔV; of a recorder with one axis that along the axis.
     pub delta_v: Option<f64>,
@@ -243,13 +243,17 @@ const PER_SD: i32 = 40;
 /// impact has its direction up to the error of that, and the axis shows the part of ΔV along it.
 fn likelihood_of_axis(axis: OneAxis, complete: bool, impact: &KnownImpact, errors: &MatchErrors) -> f64 {
     let (part, axis) = axis.part();
-    let of = |direction: f64| {
+    // The cosine of the angle to the axis, if the sign of ΔV agrees: ΔV = −|ΔV| cos(θ − θ_axis) along the
+    // axis.
+    let seen = |direction: f64| {
         let (_, cosine) = sin_cos(direction - axis);
-        // ΔV = −|ΔV| cos(θ − θ_axis) along the axis.
-        let agrees = part.abs() < HALF_STEP || part * cosine < 0.0;
-        let size =
-            impact.delta_v.map_or(1.0, |whole| density_of_size(part, whole * cosine, complete, errors));
-        if agrees { size } else { 0.0 }
+        (part.abs() < HALF_STEP || part * cosine < 0.0).then_some(cosine)
+    };
+    let of = |direction: f64| {
+        let density = |cosine: f64| {
+            impact.delta_v.map_or(1.0, |whole| density_of_size(part, whole * cosine, complete, errors))
+        };
+        seen(direction).map_or(0.0, density)
     };
     let turn = f64::from(DIRECTIONS);
     let over_all = |of: &dyn Fn(f64) -> f64| {
@@ -257,15 +261,15 @@ fn likelihood_of_axis(axis: OneAxis, complete: bool, impact: &KnownImpact, error
     };
     // A record of none has its force from anywhere.
     let of_none = over_all(&|direction| {
-        let (_, cosine) = sin_cos(direction - axis);
-        let agrees = part.abs() < HALF_STEP || part * cosine < 0.0;
-        let whole = stored(part) / cosine.abs();
-        let size = match impact.delta_v {
-            None => 1.0,
-            Some(_) if complete => f64::from(u8::from(whole > LEAST_OF_NONE)) / SIZES,
-            Some(_) => density_of_piece(whole),
+        let density = |cosine: f64| {
+            let whole = stored(part) / cosine.abs();
+            match impact.delta_v {
+                None => 1.0,
+                Some(_) if complete => f64::from(u8::from(whole > LEAST_OF_NONE)) / SIZES,
+                Some(_) => density_of_piece(whole),
+            }
         };
-        if agrees { size } else { 0.0 }
+        seen(direction).map_or(0.0, density)
     });
     let anywhere = over_all(&of);
     let Some(direction) = impact.force_direction else { return anywhere / of_none };

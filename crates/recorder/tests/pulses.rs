@@ -324,8 +324,8 @@ proptest! {
             for ((probability, cannot), impact) in found.impacts.iter().zip(&found.cannot).zip(&impacts) {
                 prop_assert_eq!(cannot.is_some(), *probability < 0.01, "{:?}", found);
                 prop_assert_eq!(cannot.is_some(), RecordMatch::words(*probability).starts_with("cannot"));
-                // The reason is the larger difference, in multiples of 0.45 in ln ΔV and of 20° in direction, with
-                // the rounding of both parts to 1 km/h: 16.5° for a ΔV of 1 km/h, half for 2.
+                // The reason is the larger difference, in multiples of 0.45 in ln ΔV and of 20° in direction,
+                // with the rounding of both parts to 1 km/h: 16.5° for a ΔV of 1 km/h, half for 2.
                 let rounding = record.delta_v.map_or(0.0, |size| (KMH / 12_f64.sqrt() / size).to_degrees());
                 let sd = 20_f64.hypot(rounding);
                 let turned = |a: f64, b: f64| (a - b).abs().min(std::f64::consts::TAU - (a - b).abs());
@@ -377,8 +377,8 @@ fn middles(count: u32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| (f64::from(k) + 0.5) / f64::from(count))
 }
 
-/// The likelihood of a ΔV in a record of a share of an impact, the mean over the share, over that for a record
-/// of none: 1/4 from 2 km/h on, and less for a share of 2 km/h.
+/// The likelihood of a ΔV in a record of a share of an impact, the mean over the share, over that for a
+/// record of none: 1/4 from 2 km/h on, and less for a share of 2 km/h.
 fn of_share(own: f64, whole: f64) -> f64 {
     let sum: f64 = middles(4_000).map(|share| normal((own / whole / share).ln(), 0.45)).sum();
     4.0 * sum / 4_000.0 / (own / 2.0).min(1.0)
@@ -531,8 +531,9 @@ fn a_record_has_the_axes_that_were_stored() {
     assert_eq!(EventRecord::new([None, None], true).delta_v, None);
 }
 
-/// Of one axis, the reason is seen in the direction of the impact: pushed forward instead of backward, it came
-/// from 150° and not from 30°; pushed back by 300 km/h where 40 · cos 30° was to be expected, it is too large.
+/// Of one axis, the reason is seen in the direction of the impact: pushed forward instead of backward, it
+/// came from 150° and not from 30°; pushed back by 300 km/h where 40 · cos 30° was to be expected, it is too
+/// large.
 #[test]
 fn a_record_of_one_axis_has_its_reason() {
     let impact = KnownImpact { force_direction: Some(30_f64.to_radians()), delta_v: Some(40.0 * KMH) };

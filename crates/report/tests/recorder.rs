@@ -74,8 +74,8 @@ fn the_headline_says_where_delta_v_holds() {
     }
 }
 
-/// (m/s) of the JSON of a recorder in these axes: -20 km/h along and 10 to the right, whole or cut off; 0.9 m to
-/// the left of the centre of gravity, where ΔV along it is less by 0.9 m · π/2 rad/s = 5.09 km/h.
+/// (m/s) of the JSON of a recorder in these axes: -20 km/h along and 10 to the right, whole or cut off; 0.9 m
+/// to the left of the centre of gravity, where ΔV along it is less by 0.9 m · π/2 rad/s = 5.09 km/h.
 #[test]
 fn delta_v_in_json_is_in_the_axes_of_the_case() {
     let pulse = |axes: &str, side: &str, lines: &str, end: &str| {
@@ -234,7 +234,8 @@ fn the_report_says_how_the_step_was_found() {
     }
 }
 
-/// The threshold of the text is that of the weight: a fall of 1.13 g is rare, one of more than 1.2 g no tyre's.
+/// The threshold of the text is that of the weight: a fall of 1.13 g is rare, one of more than 1.2 g no
+/// tyre's.
 #[test]
 fn a_steep_fall_has_one_threshold() {
     let text = "[vehicle1.recorder]\npre_crash = { time = \"-1 -0.5 0 s\", speed = \"80 78 57 km/h\", brake = \"on on on\" }\n";

@@ -38,18 +38,17 @@ pub(super) fn which(key: &str, found: &OfImpact) -> Value {
 }
 
 /// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"record": {"probability": …,
-/// "verdict": …}, "other_records": […], "recognised": […],
-/// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
-/// {"ends_before_impact": …, "spans": […]}}, null]}`. `step` is that of the stored speeds, and `step_source`
-/// says how it was found: `"case"`, `"regular"`, `"unit"`, `"multiples"` or `"miles"`. The last of the samples is
-/// the impact, at time 0; its speed is the median of that at the impact unless `speed_is_stored`. SI and
-/// radians.
+/// "verdict": …}, "other_records": […], "recognised": […], "speed_at_impact": {"mean": …, "sd": …,
+/// "interval_95": […], "parts": […]}, "samples": […], "pulse": {"ends_before_impact": …, "spans": […]}},
+/// null]}`. `step` is that of the stored speeds, and `step_source` says how it was found: `"case"`,
+/// `"regular"`, `"unit"`, `"multiples"` or `"miles"`. The last of the samples is the impact, at time 0; its
+/// speed is the median of that at the impact unless `speed_is_stored`. SI and radians.
 ///
-/// `longitudinal` and `lateral` of the pulse are as stored: to the right if positive, whatever the axes of the
-/// case. `delta_v_at_recorder` and `delta_v_at_center` are [along the vehicle, across it] in the axes of the
-/// case, as `delta_v_lateral` of other answers is. That at the centre of gravity needs `at` and `yaw_rate`, and
-/// is null without. If the record does not hold all of the impact, there are lower bounds instead:
-/// `least_delta_v_at_recorder` and `least_delta_v_at_center`.
+/// `longitudinal` and `lateral` of the pulse are as stored: to the right if positive, whatever the axes of
+/// the case. `delta_v_at_recorder` and `delta_v_at_center` are [along the vehicle, across it] in the axes of
+/// the case, as `delta_v_lateral` of other answers is. That at the centre of gravity needs `at` and
+/// `yaw_rate`, and is null without. If the record does not hold all of the impact, there are lower bounds
+/// instead: `least_delta_v_at_recorder` and `least_delta_v_at_center`.
 ///
 /// # Errors
 /// If serialisation fails, which no record causes.
@@ -178,8 +177,8 @@ fn pulse(axes: Axes, found: &VehicleReading) -> Option<Value> {
     }))
 }
 
-/// The columns of the path as CSV: one row for each point of each vehicle, in SI units and radians; the impact
-/// is at 0.
+/// The columns of the path as CSV: one row for each point of each vehicle, in SI units and radians; the
+/// impact is at 0.
 fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
     let header = "vehicle,time,speed,brake,abs,accelerator,throttle,engine_speed,steering,yaw_rate,\
                   distance,distance_at_least,distance_at_most,speed_is_stored";
