@@ -112,7 +112,7 @@ pub use impact::Impact;
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use output::{Kind, Of, Output, OutputQuantity, Values};
 pub use quantities::{QUANTITIES, quantity};
-pub use recorded::{OfImpact, PathPoint, RecorderReading, VehicleReading, recorders};
+pub use recorded::{ClockedSample, OfImpact, RecorderReading, VehicleReading, recorders};
 pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, LEAST_BY_DEGREE, MOST_BY_DEGREE, Sensitivity, Sweep, SweepRow};
 pub use solve::{geometry, motion};

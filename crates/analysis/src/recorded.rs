@@ -43,7 +43,7 @@ pub struct VehicleReading {
     /// How the step in which the speeds are stored was found; `None` if the case states it, or has no speeds.
     pub step_source: Option<StepSource>,
     /// The path to the impact: the samples before it, and the impact itself.
-    pub path: Vec<PathPoint>,
+    pub path: Vec<ClockedSample>,
     /// Where the speed changes between two samples by more than the bounds of the distance allow.
     pub steep: Vec<SteepChange>,
     /// The impact in the pulse by each rule that finds one.
@@ -60,7 +60,7 @@ pub struct VehicleReading {
 
 /// A sample before the impact, or the impact itself, with the distance that is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PathPoint {
+pub struct ClockedSample {
     /// The stored data. If the last speed was stored before the impact, the point at time 0 has the median of
     /// the speed at the impact.
     pub sample: PreCrashSample,
@@ -374,19 +374,19 @@ fn spans(recorder: &Recorder) -> Vec<PulseSpan> {
 
 /// The path to the impact by the samples before it and the median of the speed at the impact (m/s); without
 /// that, no point has a distance.
-fn path(record: &PreCrash, at_impact: Option<f64>, limits: &SpeedLimits) -> Vec<PathPoint> {
+fn path(record: &PreCrash, at_impact: Option<f64>, limits: &SpeedLimits) -> Vec<ClockedSample> {
     let distances = at_impact.map(|speed| record.distances_to_impact(speed, limits)).unwrap_or_default();
-    let point = |sample: &PreCrashSample| PathPoint {
+    let point = |sample: &PreCrashSample| ClockedSample {
         sample: *sample,
         speed_is_stored: sample.speed.map(|_| true),
         distance: distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| *bounds),
     };
-    let mut path: Vec<PathPoint> = record.samples().iter().map(point).collect();
+    let mut path: Vec<ClockedSample> = record.samples().iter().map(point).collect();
     let Some((_, distance)) = distances.last() else { return path };
     // A sample at the impact that has a brake, for example, but no speed.
     let of_impact = path.pop_if(|last| last.sample.time == 0.0);
     let sample = of_impact.map_or_else(PreCrashSample::default, |point| point.sample);
-    path.push(PathPoint {
+    path.push(ClockedSample {
         sample: PreCrashSample { speed: sample.speed.or(at_impact), ..sample },
         speed_is_stored: Some(sample.speed.is_some()),
         distance: Some(*distance),

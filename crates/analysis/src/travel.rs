@@ -275,8 +275,8 @@ impl Followed<'_> {
                 high = Some([speed, reached]);
             }
             speed = match (low, high) {
-                // Where the ground changes, S may grow far faster than V²: the false position of one side alone
-                // would stay, so every third step halves.
+                // Where the ground changes, S may grow far faster than V²: the false position of one side
+                // alone would stay, so every third step halves.
                 ([slow, short], Some([fast, long])) if slow > 0.0 => {
                     let share = if step % 3 == 0 { 0.5 } else { (length - short) / (long - short) };
                     (slow * slow + share * (fast * fast - slow * slow)).sqrt()
@@ -359,9 +359,9 @@ fn pass(path: &[Sample], chassis: &Chassis, point: &PointData) -> Pass {
     nearest
 }
 
-/// (m) bound on the distance from a point to the path of the CG between two samples. That path is a cubic, which
-/// stays within the convex hull of its Bézier points: both ends, and a third of the span ahead of the one and
-/// back from the other with the velocities there.
+/// (m) bound on the distance from a point to the path of the CG between two samples. That path is a cubic,
+/// which stays within the convex hull of its Bézier points: both ends, and a third of the span ahead of the
+/// one and back from the other with the velocities there.
 fn least_distance(before: &Sample, after: &Sample, point: Vector2<f64>) -> f64 {
     let third = (after.time - before.time) / 3.0;
     let chord = after.state.position - before.state.position;

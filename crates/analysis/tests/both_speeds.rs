@@ -285,9 +285,9 @@ fn a_mark_is_held_against_the_path_of_its_wheel() {
     assert!(passes(place(0.0, 0.0), ", wheel = \"front left\"") > 0.1);
 }
 
-/// A car slides with locked wheels from a friction of 0.7 onto slicker ground, whose edge the front axle reaches
-/// after 1.8 m and the rear axle after 4.4 m: ½ V² = g Σ μ S, with the loads 1.4/2.6 in front and 1.2/2.6 behind.
-/// There the path grows far faster than the square of the speed.
+/// A car slides with locked wheels from a friction of 0.7 onto slicker ground, whose edge the front axle
+/// reaches after 1.8 m and the rear axle after 4.4 m: ½ V² = g Σ μ S, with the loads 1.4/2.6 in front and
+/// 1.2/2.6 behind. There the path grows far faster than the square of the speed.
 #[test]
 fn a_slide_onto_slick_ground_is_traced_back() {
     for slick in [0.1, 0.2, 0.35, 0.6] {

@@ -751,7 +751,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
         r#"brake_comes_on = "25 %""#: Form::Percent(NOT_NEGATIVE),
             "Probability that the brake came on in the gap. If it is off in the last sample, for each half second after that: 25 % if left out.";
         r#"keeps_braking = "65 %""#: Form::Percent(NOT_NEGATIVE),
-            "Probability that a driver who braked kept the deceleration. If the brake is on in the last two samples, he keeps what they show, within 0.1 g, up to the impact; otherwise he brakes at anything up to `friction`: 65 % if left out, as in half seconds of 108 crashes.";
+            "Probability that a driver who braked kept the deceleration. If the brake is on in the last two samples, he keeps what they show, within 0.1 g, up to the impact; otherwise he brakes at anything up to `friction`: 65 % if left out, as in half seconds of 39 crashes.";
         r#"latency = "0.1 s""#: Form::Exact(Dimension::Time, NOT_NEGATIVE),
             "Greatest age of a stored speed. At the time that the report gives for it: 0.1 s if left out.";
         r#"last_is_of_impact = "50 %""#: Form::Percent(NOT_NEGATIVE),

@@ -135,7 +135,8 @@ impl MeasuredRest {
     ///
     /// The error grows with the distance. It is taken at the geometric mean of the measured and the computed
     /// distance: a rest position that is too far by a factor is then as likely as one that is too near by it.
-    /// With the error at the measured distance, the positions that are too near by chance would count for more.
+    /// With the error at the measured distance, the positions that are too near by chance would count for
+    /// more.
     #[inline(always)]
     pub(crate) fn apart(&self, computed: Vector2<f64>) -> [f64; 2] {
         let (line, apart) = (self.position - self.impact, self.position - computed);

@@ -488,8 +488,8 @@ fn a_recorded_yaw_rate_is_that_after_the_impact() {
     close(term, normal(0.3 / 0.2, 0.2));
 }
 
-/// A recorder whose last speeds fell too steeply stored one of two speeds: a mixture of two normal errors, whose
-/// probability below is the share of the observation.
+/// A recorder whose last speeds fell too steeply stored one of two speeds: a mixture of two normal errors,
+/// whose probability below is the share of the observation.
 #[test]
 fn a_recorder_may_mean_one_of_two_speeds() {
     let two = [(0.3, Measured { value: 12.0, sd: 0.5 }), (0.7, Measured { value: 25.0, sd: 1.0 })];

@@ -38,10 +38,10 @@ pub struct ImpactSpeedErrors {
     /// (1) probability that a brake that was off in the last sample came on in half a second: 0.25; in the
     /// gap g, 1 − (1 − 0.25)^(g/0.5 s).
     pub brake_comes_on: f64,
-    /// (1) probability that a driver who braked in the last two samples kept the deceleration that their speeds
-    /// show, within 0.1 g: 0.65; otherwise he braked at anything up to that of hard braking. In 216 pairs of
-    /// half seconds of 108 crashes (CIREN 2017, 2018 and 2020), with the brake on before and between, the most
-    /// likely values are 0.65 and 0.1 g, and 0.70 and 0.1 g for the whole second after.
+    /// (1) probability that a driver who braked in the last two samples kept the deceleration that their
+    /// speeds show, within 0.1 g: 0.65; otherwise he braked at anything up to that of hard braking. In 216
+    /// pairs of half seconds of 39 crashes (CIREN 2017, 2018 and 2020), with the brake on before and
+    /// between, the most likely values are 0.65 and 0.1 g, and 0.70 and 0.1 g for the whole second after.
     pub keeps_braking: f64,
     /// (s) largest age of a stored speed at the time that the record gives for it: 0.1 s; any age up to this
     /// is equally likely. The wheels' control unit sends it every 10 to 100 ms, and the recorder takes the
@@ -178,8 +178,8 @@ pub struct ImpactSpeed {
     pub parts: Vec<SpeedErrorPart>,
     /// The steep fall, if the last speeds fell by more than 1 g.
     pub steep_fall: Option<SteepFall>,
-    /// After a steep fall the speed by the last sample and by the one before the fall, if either may be right:
-    /// hardly any speed between them is possible.
+    /// After a steep fall the speed by the last sample and by the one before the fall, if either may be
+    /// right: hardly any speed between them is possible.
     pub humps: Option<[SpeedHump; 2]>,
     draws: Draws,
 }

@@ -212,16 +212,16 @@ fn locked_wheels_are_no_stop() {
     assert!((again.mean - 44.0 * KMH).abs() < 1.0);
 }
 
-/// After a steep fall, the speed is that of the last sample or that of the one before the fall: the sum of two
-/// normal distributions, each with its part of the errors alone, has the mean and spread of the whole.
+/// After a steep fall, the speed is that of the last sample or that of the one before the fall: the sum of
+/// two normal distributions, each with its part of the errors alone, has the mean and spread of the whole.
 #[test]
 fn a_steep_fall_leaves_two_speeds() {
     let samples = [(-1.0, 110.0, Some(true)), (-0.5, 108.0, Some(true)), (0.0, 40.0, Some(true))];
     let found = ImpactSpeed::of(&record(&samples), &ImpactSpeedErrors::default()).unwrap();
     let [last, earlier] = found.humps.unwrap();
     assert!((last.probability - 0.5).abs() < 1e-12 && (earlier.probability - 0.5).abs() < 1e-12);
-    // Hard braking reads 3 km/h low, and in the 0.05 s of the age of the speed it takes 0.66 km/h. The fall of
-    // 2 km/h before the earlier speed is 0.113 g: it went on within 0.1 g of it, or by up to 0.75 g.
+    // Hard braking reads 3 km/h low, and in the 0.05 s of the age of the speed it takes 0.66 km/h. The fall
+    // of 2 km/h before the earlier speed is 0.113 g: it went on within 0.1 g of it, or by up to 0.75 g.
     assert!((last.mean - 42.34 * KMH).abs() < 0.02, "{last:?}");
     let slowed = (0.65 * 0.113 + 0.35 * 0.375) * 9.80665 * 0.55;
     let slip = 0.113 / 0.75;
@@ -237,8 +237,8 @@ fn a_steep_fall_leaves_two_speeds() {
     assert_eq!(ImpactSpeed::of(&record(&samples), &of_impact).unwrap().humps, None);
 }
 
-/// With the brake off, wheels neither slip nor lock: a speed that fell by more than a tyre allows and stays low
-/// is that of the vehicle, which something else has slowed.
+/// With the brake off, wheels neither slip nor lock: a speed that fell by more than a tyre allows and stays
+/// low is that of the vehicle, which something else has slowed.
 #[test]
 fn wheels_without_brakes_do_not_slip() {
     let of = |brake: Option<bool>| {

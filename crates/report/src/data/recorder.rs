@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
+use analysis::{ClockedSample, OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, RecordersDeltaV};
 use pim_core::VehicleId;
 use recorder::{ImpactSpeed, OneAxis, PulseSpan, RecorderTable, StepSource, force_direction};
@@ -86,7 +86,7 @@ fn vehicle(id: VehicleId, axes: Axes, found: &VehicleReading) -> Value {
         "step": found.speed.as_ref().map(|_| found.errors.step),
         "step_source": found.speed.as_ref().map(|_| found.step_source.map_or("case", StepSource::key)),
         "speed_at_impact": found.speed.as_ref().map(speed),
-        "samples": list(&found.path, |PathPoint { sample, speed_is_stored, distance }| object! {
+        "samples": list(&found.path, |ClockedSample { sample, speed_is_stored, distance }| object! {
             sample.{time, speed, brake, abs, accelerator, throttle, engine_speed, steering, yaw_rate},
             "speed_is_stored": speed_is_stored,
             "distance": distance.map(|bounds| object! { bounds.{at_least, left, between, right, at_most} }),
@@ -185,7 +185,7 @@ fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
     let mut rows = vec![header.split(',').map(str::to_owned).collect()];
     for id in VehicleId::ALL {
         let path = reading.vehicles[id.index()].iter().flat_map(|found| &found.path);
-        for PathPoint { sample, speed_is_stored, distance } in path {
+        for ClockedSample { sample, speed_is_stored, distance } in path {
             let value = |si: Option<f64>| si.map_or_else(String::new, |si| si.to_string());
             let switch = |on: Option<bool>| on.map_or_else(String::new, |on| u8::from(on).to_string());
             rows.push(vec![

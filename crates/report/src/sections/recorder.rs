@@ -1,6 +1,6 @@
 //! The readings of the recorders of a case on their own.
 
-use analysis::{OfImpact, PathPoint, RecorderReading, VehicleReading};
+use analysis::{ClockedSample, OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
@@ -403,7 +403,7 @@ fn samples(found: &VehicleReading, units: Units) -> Table {
     let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
     let decimals = usize::from(pedals().any(|percent| percent.fract() != 0.0));
     let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
-    for PathPoint { sample, distance, .. } in &found.path {
+    for ClockedSample { sample, distance, .. } in &found.path {
         let mut cells = vec![number(sample.time, 2)];
         cells.push(sample.speed.map_or(NONE.to_owned(), |si| units.plain(Measure::RoadSpeed, si)));
         let optional = [

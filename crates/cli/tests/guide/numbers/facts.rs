@@ -276,7 +276,7 @@ fn estimate(ledger: &mut Ledger) {
     ledger.made(format!("error is an assumption: {} %", percent(deformation_energy.shared_ln_sd)));
     ledger.made(format!("without a range, another {} %", percent(deformation_energy.own_ln_sd)));
     ledger.quoted("errs by 10 % of its distance", &guide, "computed distance: 10 % if left out");
-    ledger.quoted("impact and 0.5 m", &guide, "0.5 m if left out");
+    ledger.quoted("distance) and 0.5 m", &guide, "0.5 m if left out");
     ledger.quoted("between 5° and 15°", &guide, "but 5° to 15°, if left out");
     ledger.quoted("of 20 % before", &guide, "20 % if left out; from 0 %");
     ledger.cited("hurt (MAIS 3 or more)", "the abbreviated injury scale");
