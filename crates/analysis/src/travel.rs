@@ -674,7 +674,7 @@ mod tests {
             let record = |sample: &Sample| path.push(*sample);
             to_rest(&chassis, Steer::Held(0.0), &ground, &start, &control, record).unwrap();
             for wheel in [None, Some(MarkedWheel::FrontLeft), Some(MarkedWheel::RearRight)] {
-                let near = path[(of(9, 0.0, 1.0) * path.len() as f64) as usize].state.position;
+                let near = path[usize::try_from(bits(9, number) % path.len() as u64).unwrap()].state.position;
                 let position = near + Vector2::new(of(10, -3.0, 3.0), of(11, -3.0, 3.0));
                 let found = pass(&path, &chassis, &PointData { position, heading: None, wheel });
                 let of_wheel = wheel.map_or([0.0; 2], |wheel| {
@@ -688,7 +688,7 @@ mod tests {
                         let share = step as f64 / steps as f64;
                         let time = pair[0].time + (pair[1].time - pair[0].time) * share;
                         let state = pair[0].between(&pair[1], time);
-                        let ((sin, cos), [forward, left]) = (state.heading.sin_cos(), of_wheel);
+                        let ((sin, cos), [forward, left]) = (real::Real::sin_cos(state.heading), of_wheel);
                         let arm = Vector2::new(forward * cos - left * sin, forward * sin + left * cos);
                         least = least.min((state.position + arm - position).norm());
                     }
