@@ -232,6 +232,9 @@ fn a_steep_fall_leaves_two_speeds() {
     let square = 0.5 * (last.sd.powi(2) + earlier.sd.powi(2)) + 0.25 * (earlier.mean - last.mean).powi(2);
     assert!((found.mean - mean).abs() < 0.1);
     assert!((found.sd / square.sqrt() - 1.0).abs() < 0.01, "{} {square}", found.sd);
+    let rarely = ImpactSpeedErrors { last_is_of_impact: 0.2, ..ImpactSpeedErrors::default() };
+    let humps = ImpactSpeed::of(&record(&samples), &rarely).unwrap().humps.unwrap();
+    assert!((humps[0].probability - 0.8).abs() < 1e-12 && (humps[1].probability - 0.2).abs() < 1e-12);
     // Where no tyre allows it and it did not belong to the impact, one speed is left.
     let of_impact = ImpactSpeedErrors { last_is_of_impact: 1.0, ..ImpactSpeedErrors::default() };
     assert_eq!(ImpactSpeed::of(&record(&samples), &of_impact).unwrap().humps, None);
