@@ -733,7 +733,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
     text: "Errors of the speed at impact. They say how far a stored speed may be from the speed at impact; each has a default, which `deltav recorder` shows with its source.",
     keys: &keys! {
         r#"step = "1 km/h""#: Form::Exact(Dimension::Speed, NOT_NEGATIVE),
-            "Step in which speeds are stored. If left out, what they show: a unit of a column of whole numbers (1 mph), 2 or 5 of it if at least 5 different speeds are multiples, 1 mph where speeds in km/h are whole miles converted (35.4, 33.8), otherwise 1 km/h, as in 49 CFR 563 and UN R160.";
+            "Step in which speeds are stored. If left out, what they show: a unit of a column of whole numbers (1 mph), 5 or 2 of it if at least 4 or 6 different speeds are multiples, 1 mph where speeds in km/h are whole miles converted (35.4, 33.8), otherwise 1 km/h, as in 49 CFR 563 and UN R160.";
         r#"steady_low = "1.4 %""#: Form::Percent(NOT_NEGATIVE),
             "By how much a stored speed is too low in steady driving. A share of it, 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.";
         r#"steady_sd = "0.43 %""#: Form::Percent(NOT_NEGATIVE),

@@ -63,9 +63,10 @@ impl StepSource {
     }
 }
 
-/// How many different speeds show that all are stored in steps of 2 or of 5 of their unit. If they are not,
-/// 5 whole numbers are all even with a probability of 1/32.
-const SHOW_MULTIPLES: usize = 5;
+/// Steps in units of a column, and how many different speeds that are all multiples show each. Of 4 whole
+/// numbers all are multiples of 5 by chance with a probability of 1/625, and of 6 all are even with 1/64; an
+/// even deceleration makes both more likely.
+const SHOW_MULTIPLES: [(f64, usize); 2] = [(5.0, 4), (2.0, 6)];
 /// How many different speeds in whole km/h show whole miles per hour. Of all whole km/h, 62 % are a whole
 /// mile per hour after rounding: 8 are all by chance with a probability of 1/44.
 const SHOW_MILES: usize = 8;
@@ -88,9 +89,9 @@ fn stored_step(speeds: &[f64], unit: f64) -> (f64, StepSource) {
         let are_miles = is_metric && count >= SHOW_MILES_BY_DECIMALS && are_whole(MPH, 0.05 * REGULAR_STEP);
         return if are_miles { (MPH, StepSource::Miles(count)) } else { (REGULAR_STEP, StepSource::Regular) };
     }
-    let multiple = [5.0, 2.0].into_iter().find(|times| are_whole(times * unit, EXACT));
-    match multiple {
-        Some(times) if count >= SHOW_MULTIPLES => (times * unit, StepSource::Multiples(count)),
+    let shows = |(times, least): &(f64, usize)| count >= *least && are_whole(times * unit, EXACT);
+    match SHOW_MULTIPLES.into_iter().find(shows) {
+        Some((times, _)) => (times * unit, StepSource::Multiples(count)),
         _ if is_metric && count >= SHOW_MILES && are_whole(MPH, 0.5 * REGULAR_STEP) => {
             (MPH, StepSource::Miles(count))
         }

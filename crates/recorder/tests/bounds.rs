@@ -202,7 +202,7 @@ fn speeds_in_whole_miles_are_rounded_to_a_mile() {
     assert!((exact.at_least - bounds.at_least - 0.44704).abs() < 1e-9, "{exact:?}");
 }
 
-/// A step shows in the speeds themselves: 5 different multiples of 2 or 5, or 8 whole miles in whole km/h. By
+/// A step shows in the speeds themselves: 4 different multiples of 5, 6 of 2, or 8 whole miles in whole km/h. By
 /// conversion, 60, 59, 57, 55, 52, 48, 44 and 39 mph are 96.56, 94.95, 91.73, 88.51, 83.69, 77.25, 70.81 and
 /// 62.76 km/h.
 #[test]
@@ -217,14 +217,16 @@ fn a_coarser_step_shows_in_the_speeds() {
     let miles = "97 95 92 89 84 77 71 63";
     for (unit, speeds, step, source) in [
         ("km/h", "70 65 60 60 50 45", 5.0 / 3.6, StepSource::Multiples(5)),
-        ("km/h", "70 66 60 60 50 44", 2.0 / 3.6, StepSource::Multiples(5)),
-        ("mph", "70 66 60 60 50 44", 2.0 * 0.447_04, StepSource::Multiples(5)),
+        ("km/h", "70 66 60 60 50 44 38", 2.0 / 3.6, StepSource::Multiples(6)),
+        ("mph", "70 66 60 60 50 44 38", 2.0 * 0.447_04, StepSource::Multiples(6)),
+        ("km/h", "65 65 60 55 50", 5.0 / 3.6, StepSource::Multiples(4)),
         ("km/h", miles, 0.447_04, StepSource::Miles(8)),
         ("km/h", "96.6 93.3 88.5", 0.447_04, StepSource::Miles(3)),
         ("mph", "60 57 55", 0.447_04, StepSource::Unit),
         // One speed too few, a standstill that is a multiple of everything, or one speed that is none.
-        ("km/h", "70 65 60 60 50 50", 1.0 / 3.6, StepSource::Regular),
-        ("km/h", "60 50 40 30 0 0", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "65 60 60 50 50", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "70 66 60 60 50 44", 1.0 / 3.6, StepSource::Regular),
+        ("km/h", "60 50 40 0 0", 1.0 / 3.6, StepSource::Regular),
         ("km/h", "70 65 60 61 50 45 40", 1.0 / 3.6, StepSource::Regular),
         ("km/h", "0 0 0 0 0 0", 1.0 / 3.6, StepSource::Regular),
         ("km/h", &miles[3..], 1.0 / 3.6, StepSource::Regular),
