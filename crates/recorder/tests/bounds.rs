@@ -202,9 +202,9 @@ fn speeds_in_whole_miles_are_rounded_to_a_mile() {
     assert!((exact.at_least - bounds.at_least - 0.44704).abs() < 1e-9, "{exact:?}");
 }
 
-/// A step shows in the speeds themselves: 4 different multiples of 5, 6 of 2, or 8 whole miles in whole km/h. By
-/// conversion, 60, 59, 57, 55, 52, 48, 44 and 39 mph are 96.56, 94.95, 91.73, 88.51, 83.69, 77.25, 70.81 and
-/// 62.76 km/h.
+/// A step shows in the speeds themselves: 4 different multiples of 5, 6 of 2, or 8 whole miles in whole km/h.
+/// By conversion, 60, 59, 57, 55, 52, 48, 44 and 39 mph are 96.56, 94.95, 91.73, 88.51, 83.69, 77.25, 70.81
+/// and 62.76 km/h.
 #[test]
 fn a_coarser_step_shows_in_the_speeds() {
     let found = |unit: &str, speeds: &str| {
