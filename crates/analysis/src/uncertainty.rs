@@ -14,7 +14,7 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Axes, Bounds, Case, ContactSpread, EstimatedInput, Fault, FaultKind, Faults, GivenUncertainty,
+    Axes, Bounds, Case, ContactSpread, Dimension, EstimatedInput, Fault, FaultKind, Faults, GivenUncertainty,
     GivenVehicle, Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit,
     YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
@@ -502,7 +502,8 @@ fn no_range(case: &Case) -> Fault {
     let key = if case.ranges.len() > collision.ranges.len() { "avoid".to_owned() } else { String::new() };
     let inputs = collision.inputs();
     let example = inputs.iter().find_map(|input| {
-        let unit = input.unit.filter(|_| input.number != 0.0)?;
+        // A share of an angle depends on its zero, which is arbitrary.
+        let unit = input.unit.filter(|unit| input.number != 0.0 && unit.dimension() != Dimension::Angle)?;
         let (table, key) = input.path.rsplit_once('.')?;
         let value = format!("{} {unit}", input.number);
         Some(format!("in [{table}] {key} = {{ value = \"{value}\", within = \"5 %\", confidence = 0.95 }}"))

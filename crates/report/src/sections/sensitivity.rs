@@ -1,5 +1,6 @@
 //! How sensitive the answer is to each input.
 
+use analysis::quantities::REST_TIME;
 use analysis::{Derivative, Sensitivity, SweepRow};
 use case::{Axes, Case, Origin};
 use crash3::ObliqueCorrection;
@@ -28,8 +29,14 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
         } else {
             "Each derivative is exact, with all other numbers as given (theory 6)."
         };
+        let has_time = sensitivity.derivatives.iter().any(|row| row.output.is(&REST_TIME));
+        let of_time = if has_time {
+            " Those of a time to rest are taken 1 cm before the rest (theory 11)."
+        } else {
+            ""
+        };
         page.paragraph(format!(
-            "{of_what} They are ranked by influence: the change of the result in % for 1 % of the input, for \
+            "{of_what}{of_time} They are ranked by influence: the change of the result in % for 1 % of the input, for \
              1° of an angle, or for 10 cm of a coordinate of the scene (the zero of these two is arbitrary)."
         ));
     }
