@@ -124,7 +124,7 @@ pub use legend::ScaleUnit;
 pub use marks::ValueMark;
 pub use momentum::MomentumPicture;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
-pub use number::{number, percent, significant};
+pub use number::{number, significant};
 pub use path_time::{PathTimeCourse, PathTimePicture};
 pub use plan_view::{PlanBody, PlanStation, PlanView, Viewport};
 pub use ranks::RanksPicture;

@@ -42,18 +42,6 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A share in per cent, without the sign: two significant digits, and all of those before the point.
-///
-/// ```
-/// assert_eq!(drawing::percent(0.004_56), "0.46");
-/// assert_eq!(drawing::percent(0.998), "100");
-/// ```
-#[must_use]
-pub fn percent(share: f64) -> String {
-    let value = 100.0 * share;
-    if value.abs() < 99.5 { significant(value, 2) } else { number(value, 0) }
-}
-
 /// A count as a number; those here are far below 2³².
 pub(crate) fn count(number: usize) -> f64 {
     f64::from(u32::try_from(number).unwrap_or(u32::MAX))

@@ -164,7 +164,7 @@ pub enum SamplerDoubt {
 pub enum Verdict<'a> {
     /// All islands agree.
     Converged,
-    /// The run has not converged, for these reasons. Its draws give no answer.
+    /// The run has not converged, for these reasons, so its draws are not an answer.
     NotConverged(&'a [SamplerDoubt]),
 }
 

@@ -251,7 +251,7 @@ fn comes_on(time: f64, errors: &ImpactSpeedErrors) -> f64 {
 }
 
 /// (m/s²) 0.1 g: a driver who keeps a deceleration keeps it within this.
-const KEPT_WITHIN: f64 = 0.1 * GRAVITY;
+pub const KEPT_WITHIN: f64 = 0.1 * GRAVITY;
 
 /// How the brake may have been used between a sample at `from` (s) and t = 0, by all samples that store it. A
 /// deceleration (m/s²) that was `shown` with the brake on may have been kept.
@@ -273,7 +273,7 @@ fn brake_courses(
         )
     };
     let any = errors.braking();
-    let [mut one, mut two] = match (before.last(), shown) {
+    let courses = match (before.last(), shown) {
         (Some((since, true)), Some(shown)) => {
             let kept = shown.clamp(0.0, -any[0]);
             let kept = [Real::max(any[0], -kept - KEPT_WITHIN), Real::min(KEPT_WITHIN - kept, 0.0)];
@@ -285,8 +285,7 @@ fn brake_courses(
             [after_of(UNKNOWN_BRAKE, from, true, any), after_of(1.0 - UNKNOWN_BRAKE, from, false, any)]
         }
     };
-    one.append(&mut two);
-    one
+    courses.concat()
 }
 
 /// The courses that continue from `first`, whose brake is known since the first of the times (s); only the
@@ -649,8 +648,8 @@ impl ImpactSpeed {
             }
             _ => None,
         };
-        let mut parts = parts(&as_drawn(&legs), errors);
-        let speeds = speeds(&legs, errors);
+        let (speeds, shares) = drawn(&legs, errors);
+        let mut parts = parts(&legs, &shares, errors);
         let is_cut = speeds.iter().any(|speed| *speed < 0.0);
         let draws = Draws::new(speeds.into_iter().map(|speed| speed.max(0.0) + 0.0).collect());
         let [mean, sd] = draws.moments();
@@ -679,10 +678,10 @@ impl ImpactSpeed {
     }
 }
 
-/// Mean and variance by source, over the legs.
-fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart> {
+/// Mean and variance by source, over the legs with these shares of the points.
+fn parts(legs: &[(f64, Leg)], shares: &[f64], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart> {
     let each: Vec<(f64, f64, Vec<SpeedErrorPart>)> =
-        legs.iter().map(|(weight, leg)| (*weight, leg.stored, leg.parts(errors))).collect();
+        legs.iter().zip(shares).map(|((_, leg), share)| (*share, leg.stored, leg.parts(errors))).collect();
     let Some((_, stored, first)) = each.first() else { return Vec::new() };
     let mut all: Vec<SpeedErrorPart> = first
         .iter()
@@ -724,19 +723,16 @@ fn leg_of(point: &[f64; DIMENSIONS], legs: &[(f64, Leg)]) -> usize {
     legs.iter().position(is_within).unwrap_or(legs.len() - 1)
 }
 
-/// The legs with the shares of the points that choose them, which differ a little from their probabilities:
-/// the parts are those of the mean and the variance of the points.
-fn as_drawn(legs: &[(f64, Leg)]) -> Vec<(f64, Leg)> {
+/// (m/s) evenly spread speeds at the impact: one below 0 is that of a vehicle that stopped before. Also the
+/// share of them that each leg has, which differs a little from its probability.
+fn drawn(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> (Vec<f64>, Vec<f64>) {
     let mut shares = vec![0.0; legs.len()];
-    (0..POINTS).for_each(|k| shares[leg_of(&radical_point(k), legs)] += 1.0 / f64::from(POINTS));
-    shares.into_iter().zip(legs).map(|(share, (_, leg))| (share, leg.clone())).collect()
-}
-
-/// (m/s) evenly spread speeds at the impact. One below 0 is that of a vehicle that stopped before.
-fn speeds(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<f64> {
     let draw = |k: u32| {
         let point = radical_point(k);
-        legs[leg_of(&point, legs)].1.draw(&point, errors)
+        let leg = leg_of(&point, legs);
+        shares[leg] += 1.0 / f64::from(POINTS);
+        legs[leg].1.draw(&point, errors)
     };
-    (0..POINTS).map(draw).collect()
+    let speeds = (0..POINTS).map(draw).collect();
+    (speeds, shares)
 }

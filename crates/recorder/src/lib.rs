@@ -63,8 +63,8 @@ mod which;
 pub use assumption::AssumptionOutOfRange;
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
-    BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach,
-    SpeedErrorPart, SpeedErrorSource, SpeedHump, SteepFall,
+    BEYOND_TYRES, ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, KEPT_WITHIN, SampleSpeed,
+    SampledApproach, SpeedErrorPart, SpeedErrorSource, SpeedHump, SteepFall,
 };
 pub use pre_crash::{
     DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange, StepSource,

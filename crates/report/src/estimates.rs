@@ -161,8 +161,8 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         Piece::Rest(id) => {
             let rest = of(id).rest?;
             format!(
-                "std. dev. {} each way at the measured distance, heading {}: the errors of the computed path (`rest_error`, \
-                 `rest_least_error`, `rest_heading_error` of [estimate]) and the range of the case",
+                "std. dev. {} each way at the measured distance, heading {}: the errors of the computed path \
+                 (`rest_error`, `rest_least_error`, `rest_heading_error` of [estimate]) and the range of the case",
                 length(rest.position_sd()),
                 angle(rest.heading_sd)
             )

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-pub(crate) use ::drawing::{number, percent, significant};
+pub(crate) use ::drawing::{number, significant};
 use case::{Case, Dimension, UnitSystem};
 use recorder::Channel;
 
@@ -110,6 +110,12 @@ pub enum Measure {
     StiffnessB,
     /// N
     StiffnessG,
+}
+
+/// A share in per cent, without the sign: two significant digits, and all of those before the point.
+pub(crate) fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if value.abs() < 99.5 { significant(value, 2) } else { number(value, 0) }
 }
 
 /// A count with commas.
@@ -281,5 +287,15 @@ impl Units {
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {
         self.format(Measure::RoadSpeed, si)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn a_share_of_all_has_no_power_of_ten() {
+        assert_eq!([0.004_56, 0.5, 0.998, 1.0, 1.68].map(percent), ["0.46", "50", "100", "100", "168"]);
     }
 }

@@ -227,8 +227,6 @@ fn parts(all: Vec<Vec<Field>>) -> Vec<Part> {
 struct Grid {
     spans: Vec<Span>,
     rows: Vec<Vec<Option<Field>>>,
-    /// Whether each row has a cell in each column.
-    is_full: bool,
 }
 
 impl Grid {
@@ -245,7 +243,7 @@ impl Grid {
         let hull = |at: usize| first.iter().map(|row| Span::of(&row[at])).reduce(Span::hull);
         let spans = (0..width).map(hull).collect::<Option<_>>()?;
         let rows = part.rows().map(|row| row.iter().cloned().map(Some).collect()).collect();
-        Some(Self { spans, rows, is_full: true })
+        Some(Self { spans, rows })
     }
 
     /// The columns by position: cells that overlap, in whatever rows, are in one column.
@@ -275,9 +273,10 @@ impl Grid {
             }
             found.push(cells);
         }
-        let is_full = found.iter().flatten().all(Option::is_some);
-        for at in (0..spans.len()).filter(|_| !is_full) {
-            let of_row = rows.iter().flatten().filter(|(span, _)| spans[at].overlaps(*span));
+        let grid = Self { spans, rows: found };
+        let spans = if grid.is_full() { &[] } else { grid.spans.as_slice() };
+        for column in spans {
+            let of_row = rows.iter().flatten().filter(|(span, _)| column.overlaps(*span));
             let cells: Vec<(Span, &Field)> = of_row.copied().collect();
             let all: Vec<Span> = cells.iter().map(|(span, _)| *span).collect();
             if !are_aligned(&all) {
@@ -285,7 +284,12 @@ impl Grid {
                 return Err(unplaced_row(std::slice::from_ref(odd.1)));
             }
         }
-        Ok(Self { spans, rows: found, is_full })
+        Ok(grid)
+    }
+
+    /// Whether each row has a cell in each column.
+    fn is_full(&self) -> bool {
+        self.rows.iter().flatten().all(Option::is_some)
     }
 }
 
@@ -340,22 +344,34 @@ struct Headed {
 }
 
 impl Headed {
-    /// The words over a column, without those of one cell.
-    fn text(&self, column: usize, without: Option<&Field>) -> String {
-        let over = |placed: &&Placed| {
-            placed.columns.contains(&column) && without.is_none_or(|cell| cell.place != placed.cell.place)
-        };
-        let mut cells: Vec<&Field> = self.placed.iter().filter(over).map(|placed| &placed.cell).collect();
-        cells.sort_by_key(|cell| cell.place);
-        cells.iter().map(|cell| cell.text.as_str()).collect::<Vec<_>>().join(" ")
+    /// The cells over a column.
+    fn cells(&self, column: usize) -> impl Iterator<Item = &Field> {
+        let over = self.placed.iter().filter(move |placed| placed.columns.contains(&column));
+        over.map(|placed| &placed.cell)
+    }
+
+    /// The words over a column.
+    fn text(&self, column: usize) -> String {
+        words(self.cells(column))
     }
 
     /// The words over a column with those of one more cell.
     fn text_with(&self, column: usize, cell: &Field) -> String {
-        let over = self.placed.iter().filter(|placed| placed.columns.contains(&column));
-        let mut cells: Vec<&Field> = over.map(|placed| &placed.cell).chain([cell]).collect();
-        cells.sort_by_key(|cell| cell.place);
-        cells.iter().map(|cell| cell.text.as_str()).collect::<Vec<_>>().join(" ")
+        words(self.cells(column).chain([cell]))
+    }
+
+    /// Places the cells of a line over the columns in their order.
+    fn add_in_order(&mut self, line: &[Field]) {
+        for (at, cell) in line.iter().enumerate() {
+            self.spans[at] = self.spans[at].hull(Span::of(cell));
+            self.placed.push(Placed { cell: cell.clone(), columns: vec![at], alone: false });
+        }
+    }
+
+    /// Places the cells that are alone in their lines.
+    fn add_all_alone(&mut self, heading: &[Vec<Field>]) -> Result<(), TextRefusal> {
+        let alone = heading.iter().rev().filter(|line| line.len() == 1);
+        alone.into_iter().try_for_each(|line| self.add_alone(&line[0]))
     }
 
     /// The columns over which a cell stands; `None` if that is not clear.
@@ -391,7 +407,7 @@ impl Headed {
     /// Whether a cell makes no difference to any column.
     fn is_harmless(&self, cell: &Field) -> bool {
         (0..self.spans.len())
-            .all(|column| quantity(&self.text(column, None)) == quantity(&self.text_with(column, cell)))
+            .all(|column| quantity(&self.text(column)) == quantity(&self.text_with(column, cell)))
     }
 
     /// Places the cells of a line of several.
@@ -429,10 +445,10 @@ impl Headed {
         };
         let [mut known, mut new, mut is_title] = [false, false, begins];
         let mut is_word = !cell.text.contains(' ');
-        let is_unknown = |column: &usize| quantity(&self.text(*column, None)).is_none();
+        let is_unknown = |column: &usize| quantity(&self.text(*column)).is_none();
         let is_part = columns.len() == 1 && (!begins || columns.iter().all(is_unknown));
         for column in &columns {
-            let text = self.text(*column, None);
+            let text = self.text(*column);
             match (quantity(&text), quantity(&self.text_with(*column, cell))) {
                 (before, after) if before == after => {}
                 (None, _) => new = true,
@@ -465,9 +481,9 @@ impl Headed {
             let (Some(first), Some(last)) = (placed.columns.first(), placed.columns.last()) else { continue };
             let left = (0..*first).rev().take_while(|column| !covered(*column));
             let right = (last + 1..self.spans.len()).take_while(|column| !covered(*column));
-            let rest = self.text(*first, Some(&placed.cell));
+            let rest = words(self.cells(*first).filter(|cell| cell.place != placed.cell.place));
             for column in left.chain(right) {
-                let text = self.text(column, None);
+                let text = self.text(column);
                 let changes = quantity(&text) != quantity(&self.text_with(column, &placed.cell));
                 let is_same = !rest.is_empty() && text == rest;
                 let is_known = quantity(&text).is_some_and(|(channel, _)| channel != Channel::Other);
@@ -478,7 +494,7 @@ impl Headed {
             // A cell in the middle of two columns names no time.
             if placed.columns.len() > 1 && !placed.alone {
                 let has_time = |column: &usize| {
-                    quantity(&self.text(*column, None)).is_some_and(|(channel, _)| channel == Channel::Time)
+                    quantity(&self.text(*column)).is_some_and(|(channel, _)| channel == Channel::Time)
                 };
                 if placed.columns.iter().any(has_time) {
                     return Err(unplaced_heading(&placed.cell));
@@ -487,9 +503,7 @@ impl Headed {
         }
         Ok(())
     }
-}
 
-impl Headed {
     /// A cell of a column that has no heading of its own, but shares all of it with another column.
     fn stray(&self, grid: &Grid) -> Option<Field> {
         let has = |placed: &Placed, column: usize| placed.columns.contains(&column);
@@ -501,6 +515,13 @@ impl Headed {
         let rarer = if cells(one).count() < cells(other).count() { one } else { other };
         cells(rarer).next().cloned()
     }
+}
+
+/// The words of cells, from the top.
+fn words<'a>(cells: impl Iterator<Item = &'a Field>) -> String {
+    let mut cells: Vec<&Field> = cells.collect();
+    cells.sort_by_key(|cell| cell.place);
+    cells.iter().map(|cell| cell.text.as_str()).collect::<Vec<_>>().join(" ")
 }
 
 /// The quantity that a heading names, with its units, if it has one that fits.
@@ -532,7 +553,7 @@ fn headed(heading: &[Vec<Field>], grid: &mut Grid) -> Result<Headed, TextRefusal
     let covered: Vec<Vec<usize>> = line.iter().map(over).collect();
     if line.len() == width {
         for (at, (cell, over)) in line.iter().zip(&covered).enumerate() {
-            let is_own = over.as_slice() == [at] || (over.is_empty() && grid.is_full);
+            let is_own = over.as_slice() == [at] || (over.is_empty() && grid.is_full());
             if !is_own {
                 return Err(unplaced_heading(cell));
             }
@@ -550,19 +571,14 @@ fn headed(heading: &[Vec<Field>], grid: &mut Grid) -> Result<Headed, TextRefusal
         }
     }
     if line.len() >= width {
-        for (at, cell) in line.iter().enumerate() {
-            headed.spans[at] = headed.spans[at].hull(Span::of(cell));
-            headed.placed.push(Placed { cell: cell.clone(), columns: vec![at], alone: false });
-        }
+        headed.add_in_order(line);
     } else {
         headed.add_line(line)?;
     }
     for (_, line) in heading.iter().enumerate().filter(|(at, line)| *at != base && line.len() > 1) {
         headed.add_line(line)?;
     }
-    for line in heading.iter().rev().filter(|line| line.len() == 1) {
-        headed.add_alone(&line[0])?;
-    }
+    headed.add_all_alone(heading)?;
     Ok(headed)
 }
 
@@ -570,14 +586,9 @@ fn headed(heading: &[Vec<Field>], grid: &mut Grid) -> Result<Headed, TextRefusal
 fn headed_by_order(heading: &[Vec<Field>], grid: &Grid) -> Result<Headed, TextRefusal> {
     let mut headed = Headed { spans: grid.spans.clone(), placed: Vec::new() };
     for line in heading.iter().filter(|line| line.len() > 1) {
-        for (at, cell) in line.iter().enumerate() {
-            headed.spans[at] = headed.spans[at].hull(Span::of(cell));
-            headed.placed.push(Placed { cell: cell.clone(), columns: vec![at], alone: false });
-        }
+        headed.add_in_order(line);
     }
-    for line in heading.iter().rev().filter(|line| line.len() == 1) {
-        headed.add_alone(&line[0])?;
-    }
+    headed.add_all_alone(heading)?;
     Ok(headed)
 }
 
@@ -596,7 +607,7 @@ fn table(part: Part) -> Result<RawTable, TextRefusal> {
     };
     let mut columns: Vec<(Head, Vec<Token>)> = Vec::new();
     for (at, span) in headed.spans.iter().enumerate() {
-        let text = headed.text(at, None);
+        let text = headed.text(at);
         let of_column = headed.placed.iter().filter(|placed| placed.columns.contains(&at));
         let place = of_column.map(|placed| placed.cell.place).min();
         let Some(place) = place else {
