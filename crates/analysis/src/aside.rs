@@ -124,26 +124,26 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
         };
         let speed = analysis.speed(id);
-        let differs = |given: f64, found: f64, share: f64| {
-            (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
-        };
+        let differs_by = |given: f64, found: f64, sd: f64| (given - found).abs() > speed_limit(sd);
+        let differs = |given: f64, found: f64, share: f64| differs_by(given, found, share * given.abs());
         if let Some(recorder) = &vehicle.recorder {
             let ground = case.ground_friction();
             if let Some(told) = recorder.tells_speed(ground) {
-                let error = told.error.unwrap_or(RECORDER_SPEED_ERROR);
-                let differs = match told.humps {
-                    Some(humps) => humps.iter().all(|hump| {
-                        (hump.mean - speed).abs() > (CONTRADICTS * hump.sd).max(LEAST_DIFFERENCE)
-                    }),
-                    None => differs(told.speed, speed, error),
-                };
-                if differs {
+                let sd = told.error.unwrap_or(RECORDER_SPEED_ERROR) * told.speed.abs();
+                let one = || vec![(told.speed, sd)];
+                let meant =
+                    told.humps.map_or_else(one, |humps| humps.map(|hump| (hump.mean, hump.sd)).to_vec());
+                let is_apart = |(given, sd): &(f64, f64)| differs_by(*given, speed, *sd);
+                let nearest = meant.iter().map(|(given, _)| *given);
+                let nearest = nearest.min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
+                if let Some(given) = nearest.filter(|_| meant.iter().all(is_apart)) {
                     let evidence =
                         if told.is_of_table { Evident::TabledSpeed } else { Evident::RecordedSpeed };
-                    add(evidence, told.speed, speed);
+                    add(evidence, given, speed);
                 }
             } else if let Some(stood) = recorder.impact_speed(ground)
-                && speed - stood.mean > (CONTRADICTS * stood.sd).max(LEAST_DIFFERENCE)
+                && speed > stood.mean
+                && differs_by(stood.mean, speed, stood.sd)
             {
                 add(Evident::TabledSpeed, stood.mean, speed);
             }
@@ -222,7 +222,12 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
 /// (m/s) by how much a recorded ΔV of this size (m/s) may differ from an answer.
 fn delta_v_limit(recorder: &Recorder, size: f64) -> f64 {
     let error = recorder.delta_v_error.map_or(RECORDER_DELTA_V_ERROR, |percent| percent / 100.0);
-    (CONTRADICTS * error * size).max(LEAST_DIFFERENCE)
+    speed_limit(error * size)
+}
+
+/// (m/s) by how much a speed with this standard deviation (m/s) may differ from an answer.
+fn speed_limit(sd: f64) -> f64 {
+    (CONTRADICTS * sd).max(LEAST_DIFFERENCE)
 }
 
 /// Warns if a record without the end of the impact has more ΔV than was `found` (m/s) for it, by more than a

@@ -71,6 +71,14 @@ fn either_speed_after_a_steep_fall_agrees() {
     for (first, last, expected) in [(53, 10, None), (110, 48, None), (100, 20, Some(Evident::TabledSpeed))] {
         assert_eq!(differs(&head_on(&lines(first, last))), expected.as_slice(), "{first} {last}");
     }
+    // 20 km/h, read 3 km/h low in hard braking, is 30 km/h below the answer; 100 km/h is farther. What is
+    // told is a speed that the table may mean, not the mean of both.
+    let analysis = impact(&head_on(&lines(100, 20)).case).unwrap();
+    let given = analysis.warnings.iter().find_map(|warning| match warning {
+        Warning::EvidenceDiffers { given, .. } => Some(given * 3.6),
+        _ => None,
+    });
+    assert!((given.unwrap() - 22.3).abs() < 0.5, "{given:?}");
 }
 
 /// The central impact turns nothing: 3 · 20 % of 90 °/s are 54 °/s, and 3 · 10 °/s are 30 °/s.

@@ -246,6 +246,21 @@ fn a_steep_fall_has_one_threshold() {
     assert!(words.contains("more than 1 g, and none by more than 1.2 g"), "{text}");
 }
 
+/// Neither speed after a steep fall is hidden behind the median of both. Hard braking reads 3 km/h low and
+/// takes 0.66 km/h in the age of the speed: 42.3. The other is 108 km/h, 1.74 low, less 3.97 in half a second
+/// of braking: 105.8.
+#[test]
+fn a_steep_fall_has_both_speeds_in_the_headline() {
+    let text = "[vehicle1.recorder]\npre_crash = { time = \"-1 -0.5 0 s\", speed = \"110 108 40 km/h\", brake = \"on on on\" }\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("it is about 42.3 km/h (50 %) or about 105.8 km/h (50 %), hardly in between"),
+        "{text}"
+    );
+}
+
 /// Two records of one axis: their ΔV is marked, and they have no PDOF.
 #[test]
 fn a_record_of_one_axis_is_marked() {

@@ -4,14 +4,15 @@ use analysis::{ClockedSample, OfImpact, RecorderReading, VehicleReading};
 use case::{Axes, CaseFile, STANDARD_GRAVITY, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    BEYOND_TYRES, KnownImpact, LeftTable, MatchErrors, OneAxis, PreCrash, PreCrashSample, PulseRule,
-    PulseSpan, RecordMatch, RecorderTable, SpeedErrorPart, SpeedErrorSource, StepSource, force_direction,
+    BEYOND_TYRES, KEPT_WITHIN, KnownImpact, LeftTable, MatchErrors, OneAxis, PreCrash, PreCrashSample,
+    PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorPart, SpeedErrorSource, StepSource,
+    force_direction,
 };
 
 use super::chosen::or_none;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::pictures::recorder as pictures;
-use crate::units::{Measure, Units, number};
+use crate::units::{Measure, Units, number, percent};
 
 /// The recorders of a case: what was recognised, the samples with the distances between them, the speed at
 /// impact with the account of its error, and the pulse.
@@ -64,6 +65,11 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
             units.plain(Measure::RoadSpeed, low),
             road(high)
         ));
+        lines.extend(speed.humps.map(|humps| {
+            let [last, earlier] =
+                humps.map(|hump| format!("{} ({} %)", road(hump.mean), percent(hump.probability)));
+            format!("By a steep fall of the stored speed, it is about {last} or about {earlier}, hardly in between")
+        }));
     }
     if let Some(span) = leading(&found.spans) {
         let of_center = found.delta_v.or(found.least_delta_v).filter(|_| is_of_center(found));
@@ -369,8 +375,8 @@ fn steep(page: &mut Document, found: &VehicleReading) {
         .collect();
     page.paragraph(format!(
         "The stored speed changes by more than 1 g: {}. Few tyres do that, and none more than {} g: the \
-         wheels probably slipped or gripped again, or the vehicle struck something. There the bounds let the speed change at any instant, and \
-         limit it to 1 g only in the other direction.",
+         wheels probably slipped or gripped again, or the vehicle struck something. There the bounds let the \
+         speed change at any instant, and limit it to 1 g only in the other direction.",
         places.join(", "),
         number(BEYOND_TYRES / STANDARD_GRAVITY, 1)
     ));
@@ -473,11 +479,12 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         kmh(errors.slip_sd),
         percent(errors.tyre_sd),
     ));
+    let kept = number(KEPT_WITHIN / STANDARD_GRAVITY, 1);
     table.note(format!(
-        "From the last speed to the impact: any deceleration up to {} g with the brake on, but if it is on in \
-         the last two samples, with a probability of {} % the one that these show, within 0.1 g; within ± {} g \
-         with it off. {} A stored \
-         speed is up to {} s old. Each is a key of `errors`.",
+        "From the last speed to the impact: with the brake on, the vehicle slows by up to {} g, any deceleration \
+         as likely. If the brake is on in the last two samples, the driver keeps the deceleration that they \
+         show, within {kept} g, with a probability of {} %. With the brake off, the speed changes by at most {} g. \
+         {} A stored speed is up to {} s old. All of these numbers but the {kept} g are keys of `errors`.",
         number(errors.friction, 2),
         number(100.0 * errors.keeps_braking, 0),
         number(errors.coasting / STANDARD_GRAVITY, 2),
