@@ -45,6 +45,7 @@ use crate::estimate::{
 use crate::failure::Failure;
 use crate::given::GivenSpeed;
 use crate::output::Output;
+use crate::phases::speed_at_impact;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::recorded::{RecordsOfImpact, with_records_of_impact};
 use crate::seen::SeenWarning;
@@ -117,6 +118,8 @@ pub struct Avoidance {
     pub other_speeds: Option<[f64; 2]>,
     /// (m/s) contradictory speeds of the vehicle at the impact: by the answer, and by its own recorder.
     pub own_speeds: Option<[f64; 2]>,
+    /// Whether the phases of the other vehicle, or its way in the demand, lead it to the impact moving.
+    other_came: bool,
     /// The speed by the rest of the case, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
@@ -262,7 +265,7 @@ impl Avoidance {
         let estimated = self.told.as_ref()?.estimated.as_ref()?;
         let stood = estimated.stood[self.vehicle.other().index()]?.after.value;
         let counts = self.scene.clears.is_some() || self.scene.same_line.is_some() || self.hiding.is_some();
-        (counts && OPEN.contains(&stood)).then_some(stood)
+        (counts && !self.other_came && OPEN.contains(&stood)).then_some(stood)
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
@@ -403,6 +406,9 @@ fn found(
     let own_recorder = if is_given { RecordedSpeed::of(case, form.vehicle) } else { None };
     let own_speeds = own_recorder.and_then(|recorded| recorded.against(scene.at_impact));
     let vehicle = form.vehicle;
+    let by_phases = speed_at_impact(&case.vehicles[vehicle.other().index()]);
+    let other_came =
+        by_phases.is_some_and(|speed| speed > 0.0) || matches!(form.demand, DemandForm::Other(_));
     // Without obstacles, only the plan needs the paths.
     let ways = ways.or_else(|| ways_of(&case.avoid_plan()?).ok());
     Ok(Avoidance {
@@ -420,6 +426,7 @@ fn found(
         nearly_along,
         other_speeds,
         own_speeds,
+        other_came,
         told,
     })
 }
@@ -503,6 +510,7 @@ impl Told {
         match (Self::of_recorder(alone, vehicle, plan), refusal) {
             (Some(told), _) => Ok(told),
             (None, Some(failure)) if alone.reconstruct.is_some() || alone.impact.is_some() => Err(failure),
+            (None, _) if plan.exact => Err(no_exact_speed(vehicle).into()),
             (None, _) => Err(no_speed(vehicle).into()),
         }
     }
@@ -968,6 +976,16 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             "the other vehicle was stationary at the impact, so it never clears the danger zone",
             "leave `clear` out",
         ),
+        Unposed::Outside => Fault::refused(
+            "avoid.clear.outlines",
+            format!(
+                "by their outlines the vehicles do not meet: at the impact, vehicle {} is beside the strip that vehicle {} sweeps",
+                form.vehicle.other(),
+                form.vehicle
+            ),
+            "check `position` or `contact`, the headings, and length, width and cg_to_front of both; or give the \
+             `distance` that the other still had to go",
+        ),
         Unposed::NeverHidden => Fault::refused(
             "avoid.demand.sight",
             format!(
@@ -998,6 +1016,11 @@ fn of_obstacle(index: usize, reason: String) -> Failure {
 pub fn obstacle_name(case: &Case, index: usize) -> String {
     let name = case.avoid.as_ref().and_then(|avoid| avoid.obstacles.get(index)?.name.as_ref());
     name.map_or_else(|| format!("obstacle {}", index + 1), |name| format!("the obstacle \"{name}\""))
+}
+
+fn no_exact_speed(vehicle: VehicleId) -> Faults {
+    let reason = format!("no exact solution of the case gives the speed of [vehicle{vehicle}]");
+    Fault::refused("avoid", reason, "let all the evidence give it, or give `speed` in [avoid]").into()
 }
 
 fn no_speed(vehicle: VehicleId) -> Faults {

@@ -11,6 +11,7 @@ mod posed;
 mod runs;
 mod setup;
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use ::estimate::{Culprit, DrawnQuantity, DrawsSummary, NoDraws, Posterior, SamplerDoubt, Verdict, Weights};
@@ -24,7 +25,7 @@ use crate::excluded::{Impossible, key};
 use crate::failure::Failure;
 use crate::given::certain_limits;
 use crate::output::Output;
-use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
+use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL, PDOF};
 use crate::uncertainty::NOISE;
 use crate::warning::Warning;
 pub use agreement::{Agreement, CONTRADICTS, DOUBTFUL};
@@ -351,7 +352,22 @@ pub fn estimate(
         VehicleId::ALL.into_iter().filter(|id| is_contradicted && stood(*id) && !may_back(case, *id));
     let backed = backed.map(|vehicle| Warning::MayHaveBacked { vehicle, speed: None });
     estimated.warnings.extend(backed.collect::<Vec<_>>());
+    let not_pushed: Vec<Warning> =
+        VehicleId::ALL.into_iter().filter_map(|id| estimated.not_pushed(case, id)).collect();
+    estimated.warnings.extend(not_pushed);
     Ok(estimated)
+}
+
+impl Estimated {
+    /// Warns if no likely force pushes on the side of a vehicle that the case gives as damaged.
+    fn not_pushed(&self, case: &Case, vehicle: VehicleId) -> Option<Warning> {
+        let side = case.vehicles[vehicle.index()].damaged_side()?;
+        let summary = &self.output(PDOF.of_vehicle(vehicle))?.posterior;
+        let [.., widest] = &summary.intervals;
+        let angles = [summary.median, widest.low, widest.high].map(|pdof| side.oblique_angle(pdof.value));
+        let pushes = angles.into_iter().any(|angle| angle.abs() < FRAC_PI_2);
+        (!pushes).then_some(Warning::SideNotPushed { vehicle, oblique_angle: angles[0] })
+    }
 }
 
 /// Whether the case allows that a vehicle was backing.

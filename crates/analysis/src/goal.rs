@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::found::{Found, refused};
 use crate::impact::collide;
 use crate::speeds::BothMethod;
-use crate::travel::{Followed, Record, TravelOrigin, Way, Ways, after_impact, departures};
+use crate::travel::{Followed, Record, TravelOrigin, Way, Ways, after_impact, departures, skid_speed};
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +74,8 @@ pub(crate) struct Answer<T = f64> {
     pub(crate) outcome: Option<Outcome<T>>,
     /// The implications of momentum, if it gave the speeds: the impact is then not that of a law.
     pub(crate) implied: Option<Implied<T>>,
+    /// (m/s) the speed of each vehicle where its skid marks before the impact begin.
+    pub(crate) skid_speeds: [Option<T>; 2],
     /// The path of each vehicle from the impact to rest.
     pub(crate) ways: [Option<Way<T>>; 2],
 }
@@ -96,8 +98,27 @@ impl Answer {
             speeds,
             outcome: analysis.impact.as_ref().map(|impact| impact.outcome),
             implied: analysis.both.as_ref().filter(|both| !both.is_by_crush()).map(|both| both.implied),
+            skid_speeds: analysis.skids.map(|skid| skid.map(|skid| skid.speed)),
             ways: VehicleId::ALL.map(way),
         }
+    }
+}
+
+impl<T: Real> Answer<T> {
+    const NOTHING: Self = Self {
+        speeds: [None, None],
+        outcome: None,
+        implied: None,
+        skid_speeds: [None, None],
+        ways: [None, None],
+    };
+
+    /// (m/s) the speeds at the impact; `None` for a case that has no impact.
+    fn speeds_at_impact(&self) -> Option<[T; 2]> {
+        if let [Some(one), Some(two)] = self.speeds {
+            return Some([one.abs(), two.abs()]);
+        }
+        Some(self.outcome.as_ref()?.before.map(|motion| length(motion.velocity)))
     }
 }
 
@@ -124,6 +145,18 @@ pub(crate) fn answer<T: Real>(
     case: &Case<T>,
     solver: &mut impl Solver<T>,
 ) -> Result<Answer<T>, Failure> {
+    let answer = solved(goal, case, solver)?;
+    let mut skid_speeds = [None, None];
+    if let Some(speeds) = answer.speeds_at_impact() {
+        for ((begin, given), speed) in skid_speeds.iter_mut().zip(case.skids()).zip(speeds) {
+            *begin = given.and_then(|given| skid_speed(given, speed));
+        }
+    }
+    Ok(Answer { skid_speeds, ..answer })
+}
+
+/// The answer without the skids.
+fn solved<T: Real>(goal: Goal, case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
     match goal {
         Goal::Speed => at(case, |problem| {
             let (speed, outcome) = solver.speed(problem)?;
@@ -140,7 +173,7 @@ pub(crate) fn answer<T: Real>(
             let input = case.motion()?;
             let given = input.vehicles.each_ref().map(|way| way.as_ref().and_then(|way| way.velocity));
             let [(_, one), (_, two)] = departures(Some(&input), given, solver)?;
-            Ok(Answer { speeds: [None; 2], outcome: None, implied: None, ways: [one, two] })
+            Ok(Answer { ways: [one, two], ..Answer::NOTHING })
         }
     }
 }
@@ -180,7 +213,7 @@ fn carried_on<T: Real>(
         Some(input) => after_impact(&input?, outcome.after, solver)?,
         None => [None, None],
     };
-    Ok(Answer { speeds: [None; 2], outcome: Some(outcome), implied: None, ways })
+    Ok(Answer { outcome: Some(outcome), ways, ..Answer::NOTHING })
 }
 
 fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
@@ -195,7 +228,7 @@ fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T
         Some(_) => None,
         None => Some(posed.implied(speeds)?.1),
     };
-    Ok(Answer { speeds: speeds.map(Some), outcome, implied, ways: posed.ways })
+    Ok(Answer { speeds: speeds.map(Some), outcome, implied, ways: posed.ways, ..Answer::NOTHING })
 }
 
 /// Length of a vector, zero with zero derivatives where it vanishes.

@@ -12,7 +12,7 @@ use crate::damage;
 use crate::exchange::{Exchange, by_momentum};
 use crate::failure::Failure;
 use crate::impact::Impact;
-use crate::travel::{self, Travel};
+use crate::travel::{SolvedSkid, Travel};
 use crate::warning;
 
 /// Adds CRASH3's answer, and the checks and warnings of the results so far.
@@ -70,7 +70,7 @@ pub(crate) fn judged(
     }
     warning::of_checks(&checks, vehicles, impact.as_ref(), exchange.as_ref(), basis, &mut warnings);
     let marks = case.skids();
-    analysis.skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds?[i]));
+    analysis.skids = [0, 1].map(|i| SolvedSkid::to(marks[i]?, speeds?[i]));
     (analysis.checks, analysis.warnings) = (checks, warnings);
     Ok(analysis)
 }

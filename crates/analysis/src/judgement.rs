@@ -304,7 +304,7 @@ pub fn judge(case: &Case) -> Judgement {
         _ => None,
     };
     let warnings = unsolved::warnings(case, collision);
-    let unpropagated = uncertainty::inputs(case).err().or_else(|| goal.obstacle(case));
+    let unpropagated = goal.obstacle(case).or_else(|| uncertainty::inputs(case).err());
     let lacking = [
         (Purpose::Reconstruct, reconstruction.err()),
         (Purpose::Impact, impact.err()),

@@ -65,6 +65,7 @@ mod judged;
 mod judgement;
 mod normal_force;
 mod output;
+mod phases;
 pub mod quantities;
 mod recorded;
 mod seen;

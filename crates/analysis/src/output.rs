@@ -103,6 +103,8 @@ pub(crate) enum Reading<T> {
     OfImpact(fn(&Outcome<T>, VehicleId) -> T, Option<fn(&Implied<T>, VehicleId) -> T>),
     /// From the path to rest.
     OfPath(PathPart, fn(&Way<T>) -> T),
+    /// The speed where the skid marks before the impact begin.
+    SkidSpeed,
 }
 
 /// The part of a path to rest to which a number belongs.
@@ -131,6 +133,7 @@ impl<T: Real> Reading<T> {
             Self::No => None,
             Self::Found => answer.speeds[vehicle.index()],
             Self::OfPath(_, get) => answer.ways[vehicle.index()].as_ref().map(get),
+            Self::SkidSpeed => answer.skid_speeds[vehicle.index()],
             Self::OfImpact(by_law, by_momentum) => match (&answer.implied, &answer.outcome) {
                 (Some(implied), _) => by_momentum.map(|get| get(implied, vehicle)),
                 (None, outcome) => outcome.as_ref().map(|outcome| by_law(outcome, vehicle)),
@@ -300,13 +303,14 @@ impl Output {
         self.in_axes(axes, self.quantity.traced.of_answer(answer, self.id()))
     }
 
-    /// (SI) its value in an impact, NaN for the path after it; `found` is the speed found.
+    /// (SI) its value in an impact, NaN for the path after it and the skid before it; `found` is the speed
+    /// found.
     #[inline(always)]
     pub(crate) fn of_impact(self, axes: Axes, found: f64, outcome: &Outcome) -> f64 {
         match self.quantity.sampled {
             Reading::Found => found,
             Reading::OfImpact(by_law, _) => self.in_axes(axes, by_law(outcome, self.id())),
-            Reading::No | Reading::OfPath(..) => f64::NAN,
+            Reading::No | Reading::OfPath(..) | Reading::SkidSpeed => f64::NAN,
         }
     }
 

@@ -14,7 +14,7 @@ use crate::exchange::{AtContact, Exchange};
 use crate::goal::length;
 use crate::impact::Impact;
 use crate::output::PathPart::{End, Start, Whole};
-use crate::output::Reading::{self, OfImpact, OfPath};
+use crate::output::Reading::{self, OfImpact, OfPath, SkidSpeed};
 use crate::output::{Kind, Of, Output, OutputQuantity};
 use crate::seen::Seen;
 use crate::speeds::BothFound;
@@ -79,11 +79,11 @@ impl Output {
     #[must_use]
     pub fn all() -> Vec<Self> {
         let [_, others @ ..] = Self::of_two_vehicles(VehicleId::One);
-        each(&[SPEED]).chain(others).chain(each(OF_PATH)).collect()
+        each(&[SPEED]).chain(others).chain(each(&[SKID_SPEED])).chain(each(OF_PATH)).collect()
     }
 
-    /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; and
-    /// those of the paths to rest.
+    /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; the
+    /// speeds where skid marks begin; and those of the paths to rest.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
         let seen = analysis.seen(axes);
         let both = analysis.both.as_ref();
@@ -99,6 +99,7 @@ impl Output {
                     let is_told = both.is_none() || by_momentum.is_some();
                     is_told && output.quantity().value(&seen, output.vehicle()).is_some()
                 }
+                SkidSpeed => output.vehicle().is_some_and(|vehicle| seen.skids[vehicle.index()].is_some()),
                 OfPath(part, _) => output.vehicle().is_some_and(|vehicle| {
                     travel(&seen, vehicle).is_some_and(|travel| part.results_from(travel.origin))
                 }),
@@ -474,7 +475,7 @@ quantities! {
         Angle, Vehicle(|a, id| Some(checked(a, id)?.pdof[id.index()]));
     SKID_SPEED: "skid.speed" at "/vehicle#/skid/speed",
         ["speed where the skid marks begin", "speed where the skid begins", "", "theory 11"],
-        Speed, Vehicle(|a, id| Some(a.skids[id.index()]?.speed)),
+        Speed, Vehicle(|a, id| Some(a.skids[id.index()]?.speed)), sampled(SkidSpeed),
         drawn(|i, id| i.skid_speeds[id.index()].unwrap_or_default());
     START_SPEED: "start.speed" at "/vehicle#/start/speed",
         ["speed at the start of the path to rest", "speed at the start", "V", "theory 11"],

@@ -11,7 +11,7 @@ use crate::damage::{self, Crash3};
 use crate::failure::Failure;
 use crate::goal::{self, Goal, Known};
 use crate::output::Output;
-use crate::quantities::{DELTA_V, SPEED};
+use crate::quantities::{DELTA_V, SKID_SPEED, SPEED};
 use crate::solve;
 use crate::speeds::BothMethod;
 use crate::vehicle::Vehicle;
@@ -132,17 +132,19 @@ pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Fail
         _ => solve::furthest(case)?,
     };
     let has_ways = nominal.travel.iter().any(Option::is_some);
-    let is_differentiated = nominal.is_reconstruction() || has_ways;
+    let has_skids = nominal.skids.iter().any(Option::is_some);
+    let is_differentiated = nominal.is_reconstruction() || has_ways || has_skids;
     let derivatives = if is_differentiated { derivatives(case, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
 }
 
 fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
-    let outputs: Vec<Output> = Output::of(nominal, case.axes)
-        .into_iter()
-        .filter(|output| output.is(&SPEED) || output.is(&DELTA_V) || output.quantity().is_of_path())
-        .collect();
+    let is_shown = |output: &Output| {
+        [&SPEED, &DELTA_V, &SKID_SPEED].into_iter().any(|shown| output.is(shown))
+            || output.quantity().is_of_path()
+    };
+    let outputs: Vec<Output> = Output::of(nominal, case.axes).into_iter().filter(is_shown).collect();
     let gradients = gradients(case, nominal, &outputs)?;
     let mut derivatives = Vec::new();
     for (i, input) in case.variables().into_iter().enumerate() {

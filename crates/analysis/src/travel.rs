@@ -638,13 +638,21 @@ pub struct SolvedSkid {
     pub speed: f64,
 }
 
-/// The skid of a vehicle that reached the impact with `speed` (m/s); `None` if the numbers are not those of a
-/// skid.
-pub(crate) fn skid(given: SkidData, speed: f64) -> Option<SolvedSkid> {
+impl SolvedSkid {
+    /// The skid of a vehicle that reached the impact with `speed` (m/s); `None` if the numbers are not those
+    /// of a skid.
+    pub(crate) fn to(given: SkidData, speed: f64) -> Option<Self> {
+        let SkidData { length, friction } = given;
+        Some(Self { length, friction, speed: skid_speed(given, speed)? })
+    }
+}
+
+/// (m/s) the speed where skid marks begin, of a vehicle that reached the impact with `speed` (m/s); `None` if
+/// the numbers are not those of a skid.
+pub(crate) fn skid_speed<T: Real>(given: SkidData<T>, speed: T) -> Option<T> {
     let SkidData { length, friction } = given;
-    let slide = Slide { friction, drag_share: 1.0, grade: 0.0, distance: length };
-    let speed = slide.speed_at_start(speed.abs()).ok()?;
-    Some(SolvedSkid { length, friction, speed })
+    let slide = Slide { friction, drag_share: T::ONE, grade: T::ZERO, distance: length };
+    slide.speed_at_start(speed.abs()).ok()
 }
 
 #[cfg(test)]

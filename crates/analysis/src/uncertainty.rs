@@ -16,7 +16,7 @@ use crash3::CrushError;
 use inputs::{
     Axes, Bounds, Case, ContactSpread, Dimension, EstimatedInput, Fault, FaultKind, Faults, GivenUncertainty,
     GivenVehicle, Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit,
-    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    YAW_RADIUS_CONFIDENCE,
 };
 use pim_core::{ImpactError, VehicleId};
 use real::Gradient;
@@ -318,8 +318,9 @@ pub(crate) fn uncertainty_of(
     wanted: &dyn Fn(Output) -> bool,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
-    let inputs = inputs(case)?;
     let goal = Goal::of(case);
+    // A range is no help to a case that lacks something else.
+    let inputs = goal.obstacle(case).map_or_else(|| inputs(case), Err)?;
     let nominal = goal.solve(case)?;
     let all = Output::of(&nominal, case.axes);
     let (mut outputs, others): (Vec<Output>, Vec<Output>) = all.iter().partition(|output| wanted(**output));
@@ -465,8 +466,8 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
                 // A = A₀ exp(σ_A z)
                 (Distribution::log_normal(input.number, STIFFNESS_LN_SD_A), Bounds::Positive)
             }
-            Origin::Estimate(EstimatedInput::YawRadius { .. }) => {
-                let distance = YAW_RADIUS_WITHIN * input.number;
+            Origin::Estimate(EstimatedInput::YawRadius { source, .. }) => {
+                let distance = source.within() * input.number;
                 let spread = within(input.number, distance, YAW_RADIUS_CONFIDENCE, Bounds::Positive, None);
                 (spread, Bounds::Positive)
             }

@@ -3,16 +3,16 @@
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use crash3::{EnergyBasis, Side, principal_angle};
-use evidence::FITTED;
 use inputs::{
-    After, Basis, Case, ContactSpread, Dimension, FaceAxis, Origin, Quantity, StiffnessForm, StiffnessSource,
-    Unit, Variable, VehicleKind, Velocity, YawSource,
+    After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Origin, Quantity, StiffnessForm,
+    StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
 use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
+use crate::errors::{crush_misfit, damaged_sides};
 use crate::evident::Evident;
 use crate::exchange::Exchange;
 use crate::found::Found;
@@ -139,6 +139,8 @@ pub enum Warning {
         of: [bool; 2],
         /// (–) their average share of the energy that recorders show.
         share: f64,
+        /// Whether the case has one vehicle, for which there is no estimate.
+        is_alone: bool,
     },
     /// The skid marks of a vehicle point elsewhere than it travelled.
     SkidDirection {
@@ -628,10 +630,17 @@ impl Warning {
                 | Self::DamageEnergyDiffers { .. }
                 | Self::DeltaVDiffers { .. }
                 | Self::PdofDiffers { .. }
+                | Self::SideNotPushed { .. }
                 | Self::SeveralSpeeds { .. }
                 | Self::MovesBackward { found: true, .. }
                 | Self::GivenSpeedUnused { .. }
         )
+    }
+
+    /// Whether it doubts the whole answer, and stands next to it.
+    #[must_use]
+    pub fn doubts_answer(&self) -> bool {
+        matches!(self, Self::MayHaveBacked { .. } | Self::SideNotPushed { .. })
     }
 
     /// Whether the warning only says that the yaw inertia was estimated, which is common.
@@ -659,17 +668,16 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     warnings
 }
 
-/// Warns if speeds between two vehicles follow from crush energies by categories of stiffness.
+/// Warns of crush energies by categories of stiffness.
 pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warning> {
     let of = vehicles.each_ref().map(|vehicle| {
         let data = vehicle.subject.damage.as_ref();
         data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
     });
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
-    let has_object = case.vehicles.iter().any(|vehicle| vehicle.fixed);
-    let bias = if has_object { FITTED.objects.misfit.bias } else { FITTED.crush_bias };
-    (of != [false; 2] && !is_corrected)
-        .then(|| Warning::CategoryEnergy { of, share: real::elementary::exp(bias) })
+    let share = real::elementary::exp(crush_misfit(case, &damaged_sides(case)).bias);
+    let is_alone = case.vehicles.iter().any(GivenVehicle::is_absent);
+    (of != [false; 2] && !is_corrected).then_some(Warning::CategoryEnergy { of, share, is_alone })
 }
 
 /// Warnings about a speed (m/s) that was found.
@@ -895,12 +903,19 @@ fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Warns of skid marks on ground with a grade. A friction that is given for the marks may already include
-/// that grade.
+/// (–) a skid on a grade of less than 1 % is as on level ground.
+const LEVEL: f64 = 0.01;
+
+/// Warns of skid marks up or down a grade. A friction that is given for the marks may already include that
+/// grade.
 pub(crate) fn of_grade(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
-    let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
-    let skid = case.vehicles[vehicle.index()].before.as_ref().and_then(|before| before.skid.as_ref());
-    if is_graded && skid.is_some_and(|skid| skid.friction.is_none()) {
+    let skid = case.vehicles[vehicle.index()].skid().filter(|skid| skid.friction.is_none());
+    let grade = case.surface.as_ref().and_then(|surface| surface.grade);
+    let Some((_, grade)) = skid.zip(grade) else { return };
+    let course = case.skid_direction(vehicle).or(case.courses()[vehicle.index()]);
+    // Of an unknown direction, the steepest.
+    let uphill = course.map_or(1.0, |course| (case.axes.lateral(grade.uphill.si()) - course).cos());
+    if (grade.slope * uphill).abs() >= LEVEL {
         warnings.push(Warning::SkidOnGrade { vehicle });
     }
 }

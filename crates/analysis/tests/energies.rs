@@ -207,7 +207,7 @@ fn a_speed_by_categories_is_told_to_be_low() {
     let of = |text: &str| -> Vec<([bool; 2], f64)> {
         let warnings = reconstructed(text).warnings;
         let of = |warning: &Warning| match warning {
-            Warning::CategoryEnergy { of, share } => Some((*of, *share)),
+            Warning::CategoryEnergy { of, share, .. } => Some((*of, *share)),
             _ => None,
         };
         warnings.iter().filter_map(of).collect()

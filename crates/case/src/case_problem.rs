@@ -239,7 +239,7 @@ impl CaseProblem {
             },
             Self::UnknownTable { nearest: Some(nearest), .. } => format!("did you mean [{nearest}]?"),
             Self::UnknownTable { table, nearest: None } if table.starts_with("vehicle") => {
-                "a case has two vehicles: [vehicle1] and [vehicle2]".to_owned()
+                "a case has two vehicles, [vehicle1] and [vehicle2]: write a case for each impact of a chain".to_owned()
             }
             Self::UnknownTable { table, .. } if table == "crush" => {
                 "write [vehicle1.crush] or [vehicle2.crush]".to_owned()

@@ -21,16 +21,31 @@ fn plain(text: &str) -> String {
     text.to_lowercase().replace(['-', ' '], "_")
 }
 
-/// The candidate nearest to `word`, the first of equals, if it is near enough to be suggested.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+/// The number of slips by which a candidate differs from `word`, if they are few enough.
+fn slips(word: &str, candidate: &str) -> Option<usize> {
+    let wanted = plain(word);
+    let slips = strsim::damerau_levenshtein(&wanted, &plain(candidate));
+    (slips <= allowance(&wanted)).then_some(slips)
+}
+
+/// The candidate nearest to `word`, the first of equals, if it is near enough to be suggested; else the only
+/// one that has all of its words, such as `cg_to_front_axle` for `front_axle`.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str> + Clone) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
     }
+    let misspelt = candidates.clone().filter_map(|candidate| Some((slips(word, candidate)?, candidate)));
+    if let Some((_, candidate)) = misspelt.min_by_key(|(slips, _)| *slips) {
+        return Some(candidate);
+    }
+    // Not the other way round: `speed_after` is not `speed`.
     let wanted = plain(word);
-    let (distance, candidate) = candidates
-        .map(|candidate| (strsim::damerau_levenshtein(&wanted, &plain(candidate)), candidate))
-        .min_by_key(|(distance, _)| *distance)?;
-    (distance <= allowance(&wanted)).then_some(candidate)
+    let has_all = |candidate: &&str| {
+        let known = plain(candidate);
+        wanted.len() > 1 && wanted.split('_').all(|part| known.split('_').any(|of| of == part))
+    };
+    let mut with_all = candidates.filter(has_all);
+    with_all.next().filter(|_| with_all.next().is_none())
 }
 
 /// All candidates that are near enough to be suggested, the nearest first.
@@ -40,14 +55,12 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>)
 /// ```
 #[must_use]
 pub fn nearest_names<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
-    let mut near: Vec<(usize, &str)> = candidates
-        .into_iter()
-        .filter_map(|candidate| {
-            nearest(word, std::iter::once(candidate))?;
-            Some((strsim::damerau_levenshtein(&plain(word), &plain(candidate)), candidate))
-        })
-        .collect();
-    near.sort_by_key(|(distance, _)| *distance);
+    if word.len() > LONGEST {
+        return Vec::new();
+    }
+    let near = candidates.into_iter().filter_map(|candidate| Some((slips(word, candidate)?, candidate)));
+    let mut near: Vec<(usize, &str)> = near.collect();
+    near.sort_by_key(|(slips, _)| *slips);
     near.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
@@ -57,5 +70,21 @@ pub(crate) fn join<S: Borrow<str>>(words: &[S], last: &str) -> String {
         [] => String::new(),
         [only] => only.borrow().to_owned(),
         [head @ .., tail] => format!("{} {last} {}", head.join(", "), tail.borrow()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_key_is_found_by_its_slips_or_by_its_words() {
+        let keys = ["speed", "track", "cg_to_front", "cg_to_front_axle", "yaw_rate", "yaw_radius"];
+        let of = |word| nearest(word, keys.into_iter());
+        assert_eq!(of("trak"), Some("track"));
+        assert_eq!(of("Front-Axle"), Some("cg_to_front_axle"));
+        assert_eq!(of("rate"), Some("yaw_rate"));
+        assert_eq!(of("yaw"), None, "two have it");
+        assert_eq!(of("speed_after"), None, "another speed");
     }
 }

@@ -1563,7 +1563,7 @@ impl Schema {
         self.rules.iter().any(|rule| matches!(rule, Rule::Needs(names) if names.contains(&name)))
     }
 
-    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
         self.keys.iter().map(|key| key.name)
     }
 

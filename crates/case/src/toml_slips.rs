@@ -45,8 +45,9 @@ struct Line<'t> {
 type Found = Option<(String, String)>;
 
 /// The recognisers of slips, the most reliable first.
-const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 13] = [
+const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 14] = [
     depth,
+    foreign_character,
     no_value,
     inch_mark,
     typographic_quotes,
@@ -68,13 +69,13 @@ pub(crate) fn problem(
     error: ParserError<'_>,
     units_in_use: &UnitsInUse,
 ) -> CaseProblem {
+    if error.kind == Kind::Duplicate {
+        let message = repeated(text, span.start).unwrap_or_else(|| error.message.to_owned());
+        return CaseProblem::Syntax { message, help: help(error).into() };
+    }
     let line = Line::at(text, span.start, error);
     match SLIPS.iter().find_map(|slip| slip(&line, units_in_use)) {
         Some((message, help)) => CaseProblem::Syntax { message, help: help.into() },
-        None if error.kind == Kind::Duplicate => {
-            let message = repeated(text, span.start).unwrap_or_else(|| error.message.to_owned());
-            CaseProblem::Syntax { message, help: help(error).into() }
-        }
         None => CaseProblem::Syntax {
             message: error.message.to_owned(),
             help: units_in_use.suited("", help(error)).into(),
@@ -243,6 +244,13 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
+/// Whether a text on this line lacks a quote, within a brace or bracket that the line opens: the parser then
+/// takes the next lines for more of its content.
+pub(crate) fn runs_on(text: &str, at: usize) -> bool {
+    let (start, end) = bounds_of_line(text, at);
+    has_odd_quotes(&text[start..end]) && !openers(text, start, end).is_empty()
+}
+
 fn has_odd_quotes(line: &str) -> bool {
     let escaped = line.matches("\\\"").count();
     (line.matches('"').count() - escaped) % 2 == 1
@@ -306,6 +314,40 @@ fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
 fn depth(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_deep = line.error.kind == Kind::TooDeep;
     is_deep.then(|| (line.error.message.to_owned(), "no value of a case needs such deep nesting".to_owned()))
+}
+
+/// Whether a character has no shape, or the shape of a space, without being one.
+fn is_invisible(c: char) -> bool {
+    let has_no_width =
+        matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}' | '\u{feff}');
+    !c.is_ascii() && (c.is_whitespace() || has_no_width)
+}
+
+/// A character that cannot be seen, or one that looks like a letter of a name.
+fn foreign_character(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    let mut last = ' ';
+    let mut outside_of_texts = line.text.split('"').step_by(2).flat_map(str::chars).filter(|&c| {
+        // Between digits, it groups them.
+        let groups = last.is_ascii_digit();
+        last = c;
+        is_invisible(c) && !groups
+    });
+    if let Some(c) = outside_of_texts.next() {
+        return found(
+            format!(
+                "this line has an invisible character, U+{:04X}, which is not a plain space",
+                u32::from(c)
+            ),
+            "delete it, or type a space in its place",
+        );
+    }
+    let name = line.text.split_once('=').map_or(line.text, |(name, _)| name);
+    let foreign =
+        name.split('"').step_by(2).flat_map(str::chars).find(|c| !c.is_ascii() && c.is_alphabetic())?;
+    found(
+        format!("the letter {foreign} (U+{:04X}) in this name is not one of a to z", u32::from(foreign)),
+        "type the name again",
+    )
 }
 
 fn no_value(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
@@ -490,7 +532,7 @@ fn other_brackets(line: &Line<'_>, _: &UnitsInUse) -> Found {
 /// A number that TOML does not read.
 fn number(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let number = plain(line.value)?;
-    let key = line.key;
+    let key = Some(line.key).filter(|key| !key.is_empty())?;
     let message = format!("{} is not a valid number", shorten(line.value));
     let of_key = dimensions_of(key);
     if let Some(dimension) = of_key.first() {

@@ -136,8 +136,11 @@ impl VehicleClass {
 
 /// (1) the coefficient of Burg's formula, see [`yaw_inertia_burg`].
 pub const BURG: f64 = 0.1269;
-/// Relative uncertainty of a radius of gyration k from [`yaw_inertia_burg`] or a [`VehicleClass`].
+/// Relative uncertainty of a radius of gyration k from [`yaw_inertia_burg`].
 pub const BURG_SPREAD: f64 = 0.05;
+/// Relative uncertainty of that of a [`VehicleClass`]: the classes are those of the cars of the 1970s, and k
+/// by Burg's formula is up to 15 % below theirs.
+pub const CLASS_SPREAD: f64 = 0.15;
 
 /// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m),
 /// after Burg: I = 0.1269 × mass × wheelbase × length. The resulting radius of gyration is taken to be

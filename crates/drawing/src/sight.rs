@@ -4,13 +4,15 @@
 use kurbo::{Point, Rect};
 
 use crate::finished::Drawing;
-use crate::font::{Anchor, SMALL};
+use crate::font::{self, Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{BLACK, BOUND, GREY, OUTLINE, PALE, PATH, Pen, THIN};
 use crate::plan::{View, extent};
 use crate::vector::{flipped, polygon, polyline, vec2};
 
 const NAME: &str = "sight";
+/// (px) maximum width of the name of an obstacle.
+const LONGEST_NAME: f64 = 240.0;
 /// (px) area of the plan.
 const ROOM: Rect = Rect::new(EDGE + 16.0, HEADER + 20.0, WIDTH - EDGE - 16.0, HEADER + 440.0);
 /// (px/m) the largest scale.
@@ -54,7 +56,9 @@ impl SightPicture {
             let outline = polygon(corners.iter().map(|corner| page(*corner)));
             canvas.path(&format!("obstacle-{}", k + 1), &outline, Some(THIN), PALE);
             let middle = extent(corners.iter().map(|corner| page(*corner))).center();
-            canvas.text(Point::new(middle.x, middle.y + 4.5), name, SMALL, Anchor::Middle, GREY);
+            let room = 2.0 * (middle.x - EDGE).min(WIDTH - EDGE - middle.x);
+            let name = font::cut(name, SMALL, room.min(LONGEST_NAME));
+            canvas.text(Point::new(middle.x, middle.y + 4.5), &name, SMALL, Anchor::Middle, GREY);
         }
         for (i, way) in self.ways.iter().enumerate() {
             let points: Vec<Point> = way.iter().map(|(at, _)| page(*at)).collect();

@@ -13,10 +13,8 @@ use crate::quantity::Quantity;
 pub const STIFFNESS_LN_SD_A: f64 = 0.38;
 /// (–) standard deviation of ln B, likewise.
 pub const STIFFNESS_LN_SD_B: f64 = 0.59;
-/// (–) relative error of k of a size class or by Burg's formula, within which it lies with a probability of
-/// [`YAW_RADIUS_CONFIDENCE`].
-pub const YAW_RADIUS_WITHIN: f64 = 0.05;
-/// (–) that probability.
+/// (–) probability with which k of a size class or by Burg's formula is [as accurate as
+/// assumed](YawSource::within).
 pub const YAW_RADIUS_CONFIDENCE: f64 = 0.95;
 
 /// (m) standard deviation of the offset of a damage: 1.8 in.
@@ -40,6 +38,15 @@ pub enum YawSource {
     Burg,
     /// It is not known.
     Unknown,
+}
+
+impl YawSource {
+    /// (–) the relative error of an estimated radius of gyration, which it exceeds with a probability of 1 −
+    /// [`YAW_RADIUS_CONFIDENCE`].
+    #[must_use]
+    pub fn within(self) -> f64 {
+        if let Self::Class(_) = self { crash3::CLASS_SPREAD } else { crash3::BURG_SPREAD }
+    }
 }
 
 /// A direction at the damaged face.

@@ -96,8 +96,7 @@ pub use demands::{contradictions, table, uncertain_speeds};
 pub use dimensions::Dimensions;
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, EstimatedInput, FaceAxis, OFFSET_SD,
-    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource,
-    scaled_stiffness,
+    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YawSource, scaled_stiffness,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use form::{

@@ -97,11 +97,12 @@ impl<T: Copy> ClearForm<T> {
 
 impl OutlinesForm {
     /// (m) how far the other vehicle travels straight on, or straight back, until its outline has left the
-    /// strip that the outline of the first sweeps; 0 if it is already outside.
+    /// strip that the outline of the first sweeps; `None` if it is outside of that strip, where the two
+    /// cannot collide.
     ///
     /// # Errors
     /// If both travel along one line, or a number is impossible.
-    pub fn way_out(&self, backs: bool) -> Result<f64, InvalidInput> {
+    pub fn way_out(&self, backs: bool) -> Result<Option<f64>, InvalidInput> {
         let [first, second] = self.headings.each_ref().map(Quantity::si);
         let apart = match &self.places {
             PlacesForm::Contacts([one, two]) => in_scene(one.xy(), first) - in_scene(two.xy(), second),
@@ -121,18 +122,21 @@ impl OutlinesForm {
             angle += PI;
             other = Party { front: other.rear, rear: other.front, ..other };
         }
-        Ok(Crossing::new(angle, [subject, other])?.way_out(aside))
+        let crossing = Crossing::new(angle, [subject, other])?;
+        let way = crossing.way_out(aside);
+        Ok((way > 0.0 && way <= crossing.way_through()).then_some(way))
     }
 }
 
 impl ClearForm {
-    /// (m) the distance that remains to the other party, forward or backward.
+    /// (m) the distance that remains to the other party, forward or backward; `None` if the outlines cannot
+    /// collide.
     ///
     /// # Errors
     /// As [`OutlinesForm::way_out`].
-    pub fn distance(&self, backs: bool) -> Result<f64, InvalidInput> {
+    pub fn distance(&self, backs: bool) -> Result<Option<f64>, InvalidInput> {
         match &self.way {
-            WayOutForm::Distance(distance) => Ok(distance.si()),
+            WayOutForm::Distance(distance) => Ok(Some(distance.si())),
             WayOutForm::Outlines(outlines) => outlines.way_out(backs),
         }
     }

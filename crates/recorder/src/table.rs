@@ -564,7 +564,7 @@ pub enum TextRefusal {
         said: String,
     },
     /// Times that change from rising to falling, or the reverse.
-    #[error("{place}: the time {time} s follows {before} s, where the times before it {sense}")]
+    #[error("{place}: the time {time} s follows {before} s, where most times {sense}")]
     TimesTurn {
         /// Its place.
         place: TextPlace,

@@ -3,6 +3,7 @@
 use analysis::{Check, CheckedQuantity, FAST_CLOSING, Seen};
 use case::Basis;
 
+use crate::basis::short;
 use crate::document::Table;
 use crate::units::{Measure, Units, number};
 use crate::{basis, words};
@@ -17,7 +18,11 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
         |check: &&Check| has_momentum && matches!(check.quantity, CheckedQuantity::DamageEnergy { .. });
     for check in analysis.checks.iter().filter(|check| !is_twice(check)) {
         let [label, found, limit] = said(check, analysis, units);
-        let verdict = if check.passed() { "passed" } else { "see below" };
+        let verdict = match (check.passed(), check.can_fail()) {
+            (true, true) => "passed",
+            (true, false) => "errors too large to tell",
+            (false, _) => "see below",
+        };
         table.row([label, found, limit, verdict.to_owned()]);
     }
     (!table.rows.is_empty()).then_some(table)
@@ -102,7 +107,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         ),
         CheckedQuantity::MomentumRestitution { implied, given } => (
             "momentum: restitution".to_owned(),
-            format!("{}, the case has {}", number(implied, 2), number(given, 2)),
+            format!("{}, the case has {}", number(implied, 2), short(given, 4)),
             format!("{} apart", number(check.limit, 1)),
         ),
         CheckedQuantity::MomentumRatio { implied, critical } => (
@@ -114,7 +119,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
             let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
             (
-                format!("momentum: Ω of vehicle {vehicle}"),
+                format!("momentum: yaw rate, vehicle {vehicle}"),
                 format!("{}, evidence: {}", plain(implied), degrees(told)),
                 format!("{} apart", degrees(check.limit)),
             )

@@ -363,6 +363,11 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
              proportional to it",
             "speed = \"0 km/h\" in the table of the vehicle",
         ],
+        UnusedReason::Phases => [
+            "phases",
+            "phases before the impact are evidence for `deltav avoid` alone",
+            "the speed to which they lead as `speed` of the vehicle, with its range",
+        ],
         UnusedReason::OtherPdof => [
             "other_pdof",
             "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same",

@@ -190,7 +190,6 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
     let (warning, axes) = (seen.warning(), seen.axes());
     let speed = |si: f64| units.speed(si);
     let angle = |si: f64| units.format(Measure::Angle, si);
-    let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));
     match warning {
         Warning::PlaneDoesNotSeparate => {
             "the crush plane through the contact point does not lie between the two \
@@ -213,7 +212,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::ForceBalance { forces: [f1, f2] } => {
             let factor = f1.max(*f2) / f1.min(*f2);
             let differ = if factor.is_finite() {
-                format!(" by a factor of {}", number(factor, 1))
+                format!(" by a factor of {}", number(factor, 2))
             } else {
                 String::new()
             };
@@ -260,16 +259,20 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*recorded),
             speed(*found)
         ),
-        Warning::CategoryEnergy { of, share } => format!(
+        Warning::CategoryEnergy { of, share, is_alone } => format!(
             "the stiffness of {} is from a category: crush energies from such a stiffness were on average {} % \
-             of what recorders show, and this answer does not correct them, so its speeds and ΔV are probably \
-             too low; `deltav estimate` corrects them",
+             of what recorders show, and this answer takes them as they are, so {}",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",
                 _ => "vehicle 2",
             },
-            number(100.0 * share, 0)
+            number(100.0 * share, 0),
+            if *is_alone {
+                "energy and EES are too small on average; prefer a stiffness that was measured on this model"
+            } else {
+                "its speeds and ΔV are too low on average; `deltav estimate` corrects them"
+            }
         ),
         Warning::SkidDirection { vehicle, skid, course } => format!(
             "the skid marks of vehicle {vehicle} run from the place `from` to the impact in the direction {}, \
@@ -324,8 +327,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::SideNotPushed { vehicle, oblique_angle } => format!(
             "the force on vehicle {vehicle} makes an angle of {} with the normal of the damaged side, so it \
-             does not push on that side, and there is no corrected energy, peak force or ΔV; check side, \
-             PDOF and headings",
+             does not push on that side, and CRASH3 has no corrected energy, peak force or ΔV for it; check \
+             side, PDOF and headings",
             angle(*oblique_angle)
         ),
         Warning::DeltaVDiffers { impact, crash3, restitution } => {
@@ -401,8 +404,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             let mut assumed = Vec::new();
             if let Some(inertia) = yaw_inertia {
                 assumed.push(format!(
-                    "a yaw inertia of {} (its radius of gyration may be {spread} off)",
-                    units.format(Measure::YawInertia, *inertia)
+                    "a yaw inertia of {} (its radius of gyration may be ±{} % off)",
+                    units.format(Measure::YawInertia, *inertia),
+                    number(100.0 * crash3::CLASS_SPREAD, 0)
                 ));
             }
             if let Some(outline) = outline {
@@ -418,8 +422,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         }
         Warning::BurgInertia { vehicle, yaw_inertia } => format!(
             "the yaw inertia of vehicle {vehicle} was estimated from mass, wheelbase and length (Burg: I = 0.1269 × mass × wheelbase × length) as {}; \
-             its radius of gyration may be {spread} off",
-            units.format(Measure::YawInertia, *yaw_inertia)
+             its radius of gyration may be ±{} % off",
+            units.format(Measure::YawInertia, *yaw_inertia),
+            number(100.0 * crash3::BURG_SPREAD, 0)
         ),
         Warning::InferredEnergy { vehicle, force, crush: [width, depth], energy, bounds } => {
             let crush = if *depth > 0.0 {

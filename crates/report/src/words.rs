@@ -145,7 +145,7 @@ pub(crate) fn evident(evidence: Evident) -> &'static str {
 pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
     match by {
         EvidenceMethod::DamageAndSpeed { .. } => "damage and the given speed",
-        EvidenceMethod::DamageByObject => "damage by a fixed object",
+        EvidenceMethod::DamageByObject => "damage at a fixed object",
         EvidenceMethod::DamageAlongLine => "damage, along one line",
         EvidenceMethod::Crash3 { .. } => "damage, by CRASH3",
         EvidenceMethod::Momentum => "momentum",

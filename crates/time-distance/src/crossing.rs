@@ -80,6 +80,14 @@ impl<T: Real> Crossing<T> {
         if way.value() > 0.0 { way } else { T::ZERO }
     }
 
+    /// (m) distance that party 1 travels while any part of it is in the zone.
+    #[must_use]
+    pub fn way_through(&self) -> T {
+        let [_, party] = &self.parties;
+        let [_, half] = self.half_zones();
+        half * 2.0 + party.front + party.rear
+    }
+
     /// When each party is in the zone, on its course, whose positions count from the crossing of the paths.
     #[must_use]
     pub fn occupancies(&self, [one, two]: [&Course<'_, T>; 2]) -> [Occupancy<T>; 2] {

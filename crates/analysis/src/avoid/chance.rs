@@ -21,6 +21,9 @@ pub struct AvoidChance {
     pub possible: usize,
     /// Number of samples in which the vehicle did not move forward: they are not possible.
     pub stationary: usize,
+    /// Number of possible samples in which the vehicle would have stopped with the reaction and braking of
+    /// the inputs, so that it is taken as unbraked.
+    pub late: usize,
     /// (–) number of independent samples that would be as accurate.
     pub effective: f64,
     /// (–) that the collision is avoided at the limit, with the reaction and the braking of `[avoid]`.
@@ -217,6 +220,7 @@ fn of_scenes(
         samples: scenes.len(),
         possible: posed.len(),
         stationary,
+        late: posed.iter().filter(|scene| scene.reacted_late()).count(),
         effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
         avoided_at_limit,
         avoided_else_as_it_was: share(posed.iter().filter(|scene| scene.is_avoided_else_as_it_was()).count()),

@@ -9,6 +9,7 @@ use recorder::{SampleSpeed, SampledApproach};
 use time_distance::{Course, Leg, Phase, Response, approach};
 
 use super::posing::{Since, Unposed};
+use crate::phases::starts;
 
 /// (s) the speed at the impact replaces the samples of a recorder so close to it: it was found from them,
 /// with all their errors.
@@ -192,29 +193,6 @@ impl Stretches {
             self.end = leg.after(lasts);
         }
     }
-}
-
-/// The speeds (m/s) where the phases begin and where the last ends, followed onward from the first.
-fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
-    let mut speed = phases.first().and_then(|phase| phase.speed.as_ref()).map_or(0.0, Quantity::si);
-    let mut starts = vec![speed];
-    for form in phases {
-        let [distance, time, acceleration] =
-            [&form.distance, &form.time, &form.acceleration].map(|given| given.as_ref().map(Quantity::si));
-        // A motion seen backwards has the opposite acceleration.
-        let backwards = match (distance, time, acceleration) {
-            (Some(distance), Some(time), _) => Phase::OverFor { distance, time },
-            (Some(distance), None, Some(a)) => Phase::Over { distance, acceleration: -a },
-            (None, Some(time), Some(a)) => Phase::For { time, acceleration: -a },
-            _ => Phase::For { time: 0.0, acceleration: 0.0 },
-        };
-        speed = match approach(&Leg { speed, ..Leg::at_rest(0.0, 0.0) }, backwards) {
-            Err(InvalidInput::GainsMore { end }) => return Err(InvalidInput::StopsWithin { start: end }),
-            ends => ends?.speed,
-        };
-        starts.push(speed);
-    }
-    Ok(starts)
 }
 
 /// (m/s) the speed at the impact that follows from the phases of the other vehicle.

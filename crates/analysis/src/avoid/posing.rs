@@ -53,6 +53,8 @@ pub(crate) enum Unposed {
     Stands,
     /// The other vehicle did not move forward, so it never clears the danger zone.
     OtherStands,
+    /// At the impact, the other vehicle is outside of the strip that the outline of the vehicle sweeps.
+    Outside,
     /// Nothing says how fast the other party moves, on which the sight depends.
     OtherUnknown,
     /// Obstacles hide nothing before the impact, so their end is no demand.

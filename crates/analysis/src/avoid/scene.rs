@@ -10,7 +10,7 @@ use pim_core::InvalidInput;
 use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
-use super::driven::{Approach, Driven, Gain, end_of};
+use super::driven::{Approach, BRAKES, Driven, Gain, end_of};
 use super::posing::{FAR, Since, SoughtSpeeds, Unposed};
 use super::same_line::{Meeting, SameLine};
 
@@ -90,7 +90,7 @@ impl Clears {
     fn of(clear: &ClearForm, demand: &DemandForm, sought: Option<f64>) -> Result<Self, Unposed> {
         let speed = match (&clear.speed, demand) {
             (ClearSpeedForm::AsItCame, DemandForm::Other(other)) => {
-                let distance = clear.distance(false)?;
+                let distance = clear.distance(false)?.ok_or(Unposed::Outside)?;
                 let in_all = other.advance().time_over(other.distance.si() + distance)?;
                 return Ok(Self { distance, after: in_all - other.time()?, backs: false });
             }
@@ -100,7 +100,7 @@ impl Clears {
             (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => sought.map(|speed| speed.max(0.0)),
         };
         let backs = speed.is_some_and(|speed| speed < 0.0);
-        let distance = clear.distance(backs)?;
+        let distance = clear.distance(backs)?.ok_or(Unposed::Outside)?;
         let after = match (speed, &clear.speed) {
             (Some(speed), _) if speed != 0.0 => Advance::Steady { speed: speed.abs() }.time_over(distance)?,
             // Among samples in which it moves, a stationary one never clears it.
@@ -584,6 +584,28 @@ impl AvoidScene {
     /// Whether the vehicle stops just where it would meet the other party.
     pub(super) fn is_end(&self, meeting: &Meeting) -> bool {
         self.same_line.is_none() && meeting.speed <= 0.0
+    }
+
+    /// Whether the vehicle is taken as unbraked because it would have stopped with the reaction and braking
+    /// of the inputs.
+    #[must_use]
+    pub fn reacted_late(&self) -> bool {
+        self.actual == ActualRun::Unbraked(Unbraked::WouldHaveStopped)
+    }
+
+    /// Whether the collision is avoided without any braking, from the speed driven or from the limit.
+    #[must_use]
+    pub fn is_avoided_unbraked(&self, is_at_limit: bool) -> bool {
+        let [speed, greatest] = self.asked(is_at_limit);
+        let course = self.responding(speed, self.response.with_reaction(LONGEST_REACTION), greatest);
+        if self.same_line.is_some() { self.avoids(&course) } else { self.comes_late(&course) }
+    }
+
+    /// (m/s²) if it already brakes at the demand, its deceleration there.
+    #[must_use]
+    pub fn braked_at_demand(&self) -> Option<f64> {
+        let acceleration = self.driven.as_ref()?.at(0.0).acceleration;
+        (acceleration < -BRAKES).then_some(-acceleration)
     }
 
     /// (m/s²) the least deceleration that avoids the collision from the speed driven, or from the limit: the

@@ -17,7 +17,7 @@ use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::impact::speed_along;
 use crate::output::Output;
-use crate::travel::{Followed, skid};
+use crate::travel::{Followed, skid_speed};
 use crate::uncertainty::beside;
 
 /// The value that a number of the case has in each particle.
@@ -276,7 +276,7 @@ impl CaseImpacts {
         let mut skid_speeds = [None, None];
         for ((speed, given), motion) in skid_speeds.iter_mut().zip(marks).zip(motions) {
             if let Some(given) = given {
-                *speed = Some(skid(given, motion.velocity.norm())?.speed);
+                *speed = Some(skid_speed(given, motion.velocity.norm())?);
             }
         }
         let is_possible = taken > 0.0;

@@ -45,6 +45,8 @@ pub enum UnusedReason {
     OtherImpact,
     /// The table of a vehicle that stood or crawled.
     StoodByRecord,
+    /// Phases that lead from a known speed to one at the impact.
+    Phases,
 }
 
 /// Notes on the evidence.

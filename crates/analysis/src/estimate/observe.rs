@@ -16,11 +16,13 @@ use real::principal_angle;
 use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
 use super::posed::OpenSpeeds;
+use crate::errors::is_with_object;
 use crate::given::certain_limits;
+use crate::phases::speed_at_impact;
 use crate::thresholds::RECORDER_SPEED_ERROR;
 use crate::uncertainty::UncertainInput;
 
-pub(super) use damage::{Crushed, damage, energies, is_with_object};
+pub(super) use damage::{Crushed, damage, energies};
 
 /// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; the rounding allowed by 49 CFR 563.
 pub(super) const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
@@ -99,14 +101,13 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     }
     let given = case.estimate.unwrap_or_default();
     let hit: Vec<DamagedSide> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
-    let of_object = is_with_object(case, &hit);
     let fitted = FITTED.of_injured(injury(prior));
-    let usual = if of_object { fitted.objects.severity } else { fitted.severity_of(&hit) };
+    let usual = if is_with_object(case, &hit) { fitted.objects.severity } else { fitted.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, uniform_speeds: speeds.uniform(), ..usual };
     let crush = (crushed != Crushed::No)
-        .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object, &mut notes));
+        .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
     (Observed { vehicles, pdofs_differ, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
@@ -136,6 +137,9 @@ fn vehicle(scene: &Scene<'_>, id: VehicleId, notes: &mut Notes) -> ObservedVehic
     let skid_speed = skid_speed.map(|speed| {
         measured_speed(speed.si(), subject.noted_sd("before.speed", notes), RECORDER_SPEED_ERROR)
     });
+    if speed_at_impact(subject.given()).is_some() {
+        notes.unused.push(Unused { key: subject.key("before.phase"), reason: UnusedReason::Phases });
+    }
     let after = after::after(subject, notes);
     let (rest, points) = way.map(|way| after::rest(subject, way, notes)).unwrap_or_default();
     let pdof = damage::pdof(subject, &nominal.vehicles[id.index()], notes);

@@ -20,14 +20,16 @@ use super::MISSED;
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
 use super::notes::{Unused, UnusedReason};
-use super::observe::{Crushed, LEAST_SPEED_ERROR, Scene, damage, energies, is_with_object, observe};
+use super::observe::{Crushed, LEAST_SPEED_ERROR, Scene, damage, energies, observe};
 use super::of_number;
 use super::outputs;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
+use crate::errors::is_with_object;
 use crate::failure::Failure;
 use crate::given::{certain_limits, speed_limits, with_sideslip};
 use crate::normal_force::reference;
+use crate::phases::speed_at_impact;
 use crate::recorded::{RecordsOfImpact, has_pdof, with_records_of_impact};
 use crate::thresholds::FASTEST_BELIEVED;
 use crate::uncertainty::{UncertainInput, any_inputs, inputs};
@@ -706,7 +708,8 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     VehicleId::ALL.map(|id| {
         let vehicle = &case.vehicles[id.index()];
         let [least, most] = certain_limits(vehicle);
-        let certainly_moved = least.is_some_and(|speed| speed > 0.0)
+        let certainly_moved = speed_at_impact(vehicle).is_some_and(|speed| speed > 0.0)
+            || least.is_some_and(|speed| speed > 0.0)
             || most.is_some_and(|speed| speed < 0.0)
             || vehicle
                 .recorder

@@ -351,6 +351,8 @@ impl<'t> Reader<'t> {
         // (bytes) where an unclosed brace or bracket begins: the parser takes everything after it for its
         // content.
         let mut end = usize::MAX;
+        // The line after one that runs on into it.
+        let mut run_into = None;
         // (bytes) a table with a repeated header, which is reported once.
         let mut double = 0..0;
         for (span, message) in errors {
@@ -366,6 +368,13 @@ impl<'t> Reader<'t> {
             in_array |= error.kind == Kind::List;
             if !first_of_line || follows {
                 continue;
+            }
+            if run_into == Some(line(&span)) {
+                end = span.start;
+                break;
+            }
+            if toml_slips::runs_on(self.text, span.start) {
+                run_into = Some(line(&span) + 1);
             }
             if is_double && let Some(section) = toml_slips::section_of_header(self.text, span.start) {
                 double = section;

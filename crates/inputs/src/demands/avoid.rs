@@ -63,7 +63,8 @@ impl Case {
             (avoid.demand.is_some(), "avoid.demand", DEMAND),
         ]);
         demand.of_deceleration(avoid);
-        demand.of_skid(avoid);
+        demand.of_unbraked(avoid);
+        demand.of_skid();
         demand.of_phases(avoid);
         demand.of_clear(avoid);
         demand.of_sight(avoid);
@@ -372,15 +373,35 @@ impl Demand<'_, f64> {
         }
     }
 
-    fn of_skid(&mut self, avoid: &Avoid) {
+    /// Refuses `unbraked` beside anything that shows how the vehicle came.
+    fn of_unbraked(&mut self, avoid: &Avoid) {
+        if !avoid.unbraked {
+            return;
+        }
+        let vehicle = self.case.avoid_subject();
+        let given = &self.case.vehicles[vehicle.index()];
+        let has_table = given.recorder.as_ref().is_some_and(|recorder| recorder.pre_crash.is_some());
+        for (is_given, key, what) in [
+            (given.skid().is_some(), "before.skid", "its table `before` has skid marks"),
+            (!given.phases().is_empty(), "before.phase", "phases before the impact say how it came"),
+            // A speed in `[avoid]` replaces the table.
+            (
+                has_table && avoid.speed.is_none(),
+                "recorder.pre_crash",
+                "the table of its recorder shows how it came",
+            ),
+        ] {
+            if is_given {
+                let reason = format!("`unbraked` says that the vehicle did not brake, but {what}");
+                self.refuse("avoid.unbraked", reason, format!("remove it, or `{}.{key}`", table(vehicle)));
+            }
+        }
+    }
+
+    fn of_skid(&mut self) {
         let vehicle = self.case.avoid_subject();
         let Some(skid) = self.case.vehicles[vehicle.index()].skid() else { return };
         let path = format!("{}.before.skid", table(vehicle));
-        if avoid.unbraked {
-            let reason =
-                "`unbraked` says that the vehicle did not brake, but its table `before` has skid marks";
-            self.refuse("avoid.unbraked", reason, format!("remove it, or `{path}`"));
-        }
         if matches!(skid.begin, SkidBegin::From(_)) {
             let reason = "[avoid] needs the length of the skid, not the place where it began";
             self.refuse(&path, reason, "write skid = { length = \"18 m\", friction = 0.7 }");
@@ -398,7 +419,6 @@ impl Demand<'_, f64> {
         let Some(first) = given.phases().first() else { return };
         let [path, skid] = ["phase", "skid"].map(|key| format!("{table}.before.{key}"));
         for (is_given, key, what) in [
-            (avoid.unbraked, "avoid.unbraked", "`unbraked` says how the vehicle came"),
             (avoid.speed.is_some(), "avoid.speed", "the speed at the reaction demand is given here"),
             (given.skid().is_some(), &skid, "a skid says how the vehicle came"),
         ] {

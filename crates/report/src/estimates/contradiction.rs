@@ -21,8 +21,8 @@ fn said(piece: &PieceFound, agreement: Agreement) -> Option<String> {
             turned_round(piece.piece)
         )),
         Agreement::Contradicts => Some(format!(
-            "{name} contradicts the other evidence: {p}. The answer follows the more certain of the two or \
-             lies between them, and may be wrong; check what was measured, and its error."
+            "{name} contradicts the other evidence: {p}. The medians follow the more certain of the two or \
+             lie between them, and may be wrong; check what was measured, and its error."
         )),
         Agreement::Doubtful => Some(format!("the other evidence disagrees with {name}: {p}.")),
         Agreement::Agrees => None,

@@ -155,6 +155,12 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         ));
     }
+    if is_avoided_as_it_was(found) {
+        lines.push(format!(
+            "It is avoided {at}{central} with the reaction and braking that it had, which were better than those \
+             of the inputs"
+        ));
+    }
     lines.push(if found.enough.speed > 0.0 {
         format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed))
     } else {
@@ -229,8 +235,13 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let begins = found.scene.begins().filter(|begins| *begins > SAME_MOMENT).map(|begins| {
         format!(
             "The case shows how the vehicle moved only from {} after the reaction demand. Before that, the \
-             answer assumes the speed at that moment; the probability does not include the error of this assumption.",
-            units.format(Measure::Time, begins)
+             answer assumes the speed at that moment{}.",
+            units.format(Measure::Time, begins),
+            if found.chance.is_some() {
+                "; the probability does not include the error of this assumption"
+            } else {
+                ""
+            }
         )
     });
     let along = along_the_line(found, units);
@@ -245,7 +256,8 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     let ours = [hard, early, begins, along, of_other, of_recorder, of_stood];
-    let ours = ours.into_iter().flatten().chain(beaten_by_marks(found, units));
+    let ours = ours.into_iter().flatten();
+    let ours = ours.chain(beaten_by_marks(found, units)).chain(beaten_by_what_happened(found, units));
     ours.chain(of_speed(found, units)).chain(contradictions(found.pieces())).collect()
 }
 
@@ -324,7 +336,7 @@ fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
 fn of_recorder(found: &Avoidance, units: Units) -> Option<String> {
     let [used, recorded] = found.own_speeds?.map(|speed| units.road_speed(speed));
     Some(format!(
-        "The recorder of vehicle {} stored {recorded} at the impact, but this answer has {used} there. Correct \
+        "By its recorder, vehicle {} had {recorded} at the impact, but this answer has {used} there. Correct \
          one of them, or give no speed: the recorder then gives it.",
         found.vehicle
     ))
@@ -376,6 +388,38 @@ fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     sooner.into_iter().chain(harder).collect()
+}
+
+/// The same for phases and recorders, and a vehicle that already braked at the demand.
+fn beaten_by_what_happened(found: &Avoidance, units: Units) -> Vec<String> {
+    let ActualRun::Driven(by) = found.scene.actual else { return Vec::new() };
+    let shown = match by {
+        DrivenBy::Phases => "the phases show",
+        DrivenBy::Recorder => "the recorder shows",
+    };
+    let before = found.scene.braked_at_demand().map(|rate| {
+        format!(
+            "At the reaction demand the vehicle already braked with {}. A run with a reaction releases the brakes until \
+             that reaction ends, so it is worse than what could have been: check whether the demand was earlier.",
+            units.format(Measure::Acceleration, rate)
+        )
+    });
+    let better = is_avoided_as_it_was(found).then(|| {
+        format!(
+            "At the limit, the vehicle avoids the collision with the braking that {shown}, and not with the reaction and \
+             braking of the inputs, which are therefore worse than what happened. Check the demand, the reaction \
+             time and the deceleration."
+        )
+    });
+    before.into_iter().chain(better).collect()
+}
+
+/// Whether the vehicle avoids the collision at the limit with its own reaction and braking, but not with
+/// those of the inputs.
+fn is_avoided_as_it_was(found: &Avoidance) -> bool {
+    let scene = &found.scene;
+    let is_avoided = scene.stops_at_limit() || scene.is_late_at_limit() == Some(true);
+    scene.is_above_limit() && !is_avoided && scene.is_avoided_else_as_it_was()
 }
 
 /// How much later (s) than with the reaction time of the inputs something was.
@@ -928,6 +972,10 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
                 ),
             };
             let braked = match scene.delay() {
+                None if let Some(rate) = scene.braked_at_demand() => format!(
+                    " It already brakes at the reaction demand, with {}.",
+                    units.format(Measure::Acceleration, rate)
+                ),
                 Some(late) => format!(
                     " From {} after the demand on, {}, it slows by more than {}.",
                     time(late + response.reaction()),
@@ -1041,13 +1089,17 @@ fn enough(found: &Avoidance, units: Units) -> Block {
     let of = |measure, value: Option<f64>, word: &str| {
         value.map_or_else(|| none.to_owned(), |value| format!("{word} {}", units.format(measure, value)))
     };
-    let braking = |[deceleration, reaction]: [Option<f64>; 2]| {
-        if deceleration == Some(0.0) {
+    let braking = |[deceleration, reaction]: [Option<f64>; 2], is_at_limit: bool| {
+        if found.scene.is_avoided_unbraked(is_at_limit) {
             let unbraked = match found.on_line().filter(|_| !is_in_time) {
                 Some(other) => format!("any: without braking, it does not reach vehicle {other}"),
                 None => "any: without braking, the vehicle arrives late enough".to_owned(),
             };
             return [unbraked.clone(), unbraked];
+        }
+        if deceleration == Some(0.0) {
+            let stays = "any: the vehicle stands until the driver reacts, and then stays there".to_owned();
+            return [stays, of(Measure::Time, reaction, "at most")];
         }
         let of_tyres = match deceleration.filter(|deceleration| *deceleration > MOST_OF_TYRES) {
             Some(needed) => {
@@ -1057,10 +1109,11 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         };
         [of_tyres, of(Measure::Time, reaction, "at most")]
     };
-    let [deceleration, reaction] = braking([enough.deceleration, enough.reaction]);
+    let [deceleration, reaction] = braking([enough.deceleration, enough.reaction], false);
     // A vehicle that was not faster than the limit is judged at the speed driven alone.
     let at_limit = found.scene.is_above_limit().then(|| {
-        let [deceleration, reaction] = braking([enough.deceleration_at_limit, enough.reaction_at_limit]);
+        let [deceleration, reaction] =
+            braking([enough.deceleration_at_limit, enough.reaction_at_limit], true);
         [("Deceleration, at the limit", deceleration), ("Reaction time, at the limit", reaction)]
     });
     Block::Facts {
@@ -1115,6 +1168,20 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
         units.format(Measure::Time, chance.time.low),
         units.format(Measure::Time, chance.time.high),
     ));
+    // Samples and central values may take the vehicle as braked and as unbraked.
+    let as_well = match chance.late {
+        0 => false,
+        late => late < chance.possible || !found.scene.reacted_late(),
+    };
+    if as_well {
+        table.note(format!(
+            "What happened is not the same in all samples: in {} of them ({} %), the vehicle would have stopped with the \
+             reaction and braking of the inputs, and is taken as unbraked; in the others it reacted and braked as \
+             the inputs say.",
+            grouped(chance.late),
+            number(100.0 * chance.late as f64 / chance.possible as f64, 1)
+        ));
+    }
     if chance.stationary > 0 {
         table.note(format!(
             "In {} more samples ({} %), vehicle {} did not move forward at the impact. They do not count: the probabilities hold if it moved.",
@@ -1184,12 +1251,15 @@ fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         );
     }
     if found.runs.iter().any(|run| run.delta_v.is_some()) {
-        list.push(
+        let meets = if found.on_line().is_some() {
+            "The speed of the other is that at the new contact."
+        } else {
+            "That the other party reaches the place at another time is ignored."
+        };
+        list.push(format!(
             "ΔV is that of the impact solved again at the lower speed, with all else as it was; if `deltav \
-             estimate` gives the speed, each ΔV is scaled from its ΔV of what happened. That the other party \
-             reaches the place at another time is ignored."
-                .to_owned(),
-        );
+             estimate` gives the speed, each ΔV is scaled from its ΔV of what happened. {meets}"
+        ));
     }
     if let Some(off) = case.off_the_line().filter(|_| found.on_line().is_some()) {
         list.push(format!(

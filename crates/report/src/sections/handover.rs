@@ -6,7 +6,7 @@ use ::drawing::{Drawing, SitePlan};
 use analysis::quantities as rows;
 use analysis::{
     Analysis, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput, Uncertainty, Vehicle,
-    Weighed, is_estimated_beside,
+    Warning, Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
 use pim_core::{Energy, VehicleId};
@@ -416,6 +416,18 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
     } else {
         super::validation::validation_headline(validation, units)
     });
+    let mut warnings = analysis.warnings.iter();
+    if let Some(share) = warnings.find_map(|warning| match warning {
+        Warning::CategoryEnergy { share, .. } => Some(*share),
+        _ => None,
+    }) {
+        page.paragraph(format!(
+            "The categories of CRASH3 were made for the cars of these tests, of the 1970s. In crashes of 2017, \
+             energies by categories were on average {} % of what recorders show, so that today such speeds are \
+             on average too low.",
+            number(100.0 * share, 0)
+        ));
+    }
     page.paragraph(
         "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
          SAE 871993 and SAE 980025. Intervals of a report do not contain this error.",

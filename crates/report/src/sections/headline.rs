@@ -146,7 +146,7 @@ fn takes(share: f64) -> String {
 fn refuted(analysis: &Seen, units: Units) -> Vec<String> {
     let said = |check| {
         let [label, found, limit] = checks::said(check, analysis, units);
-        format!("{label} {found} (limit {limit})")
+        format!("{label}: {found} (limit: {limit})")
     };
     analysis.refuting().map(said).collect()
 }

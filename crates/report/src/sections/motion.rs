@@ -7,6 +7,7 @@ use pim_core::VehicleId;
 use reconcile::COLLINEAR;
 
 use super::chosen::Chosen;
+use super::uncertainty::counted;
 use crate::basis;
 use crate::document::{Column, NONE, Table, Width};
 use crate::units::{Measure, Units, number};
@@ -262,10 +263,14 @@ fn combinations(both: &BothFound, units: Units) -> Option<Table> {
             if against.is_empty() { "none".to_owned() } else { against.join("; ") },
         ]);
     }
-    table.note(
-        "The weight follows from how well yaw rates, restitution, impulse ratio and crush energy agree with the \
-         impulse, within usual errors (theory 10).",
-    );
+    let others = match both.combinations.len().saturating_sub(LISTED) {
+        0 => String::new(),
+        others => format!(" {} more weigh less.", counted(others, "combination")),
+    };
+    table.note(format!(
+        "The weight follows from how well yaw rates, restitution, impulse ratio and crush energy together agree \
+         with the impulse, within usual errors (theory 10); an objection names one that alone does not.{others}"
+    ));
     Some(table)
 }
 

@@ -501,7 +501,7 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
 fn step_source(found: &VehicleReading) -> String {
     match found.step_source {
         None => "`step` of the case".to_owned(),
-        Some(StepSource::Regular) => "the step of 49 CFR 563, as the speeds show no other".to_owned(),
+        Some(StepSource::Regular) => "the step of 49 CFR 563, as the speeds show no coarser one".to_owned(),
         Some(StepSource::Unit) => "all speeds are whole numbers of their unit".to_owned(),
         Some(StepSource::Multiples(count)) => format!("all {count} different speeds are multiples of it"),
         Some(StepSource::Miles(count)) => {
@@ -614,8 +614,9 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
     }
     if found.is_cut {
         page.paragraph(
-            "ΔV still changes where the record ends: the impact may continue, so ΔV is a lower bound. The \
-             greatest ΔV is complete only if the record then falls back by more than 2 km/h.",
+            "ΔV changed by more than 0.8 km/h in the last 20 ms of the record, so by 49 CFR 563.5 the impact may \
+             continue, and ΔV is a lower bound. The greatest ΔV would be complete if the record then fell back \
+             by more than 2 km/h.",
         );
     }
     if let Some([from, to]) = pulse.pause() {

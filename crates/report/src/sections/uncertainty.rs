@@ -10,7 +10,7 @@ use analysis::{
 };
 use case::{
     Case, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE,
 };
 use crash3::principal_angle;
 
@@ -117,13 +117,6 @@ impl<'a> Page<'a> {
                 "The intervals include only the ranges listed here: the other {others}, the impact law and the \
                  method itself are taken as exact. `deltav estimate` includes their errors, too."
             ));
-        }
-        if nominal.skids.iter().any(Option::is_some) {
-            lines.push(
-                "The speed where skid marks before the impact begin is not among the results here: `deltav \
-                 estimate` gives its interval."
-                    .to_owned(),
-            );
         }
         lines.extend(self.failures());
         lines.extend(self.doubts());
@@ -525,7 +518,10 @@ impl<'a> Page<'a> {
                     stiffness.push(estimate_name(estimate));
                     times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
                 }
-                EstimatedInput::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
+                EstimatedInput::YawRadius { source, .. } => {
+                    let within = number(100.0 * source.within(), 0);
+                    yaw_radius.push(format!("{}, within {within} %", estimate_name(estimate)));
+                }
                 EstimatedInput::Contact { axis, .. } => {
                     let sd = input.distribution.sd() * input.input.factor();
                     let sd = self.units.format(Measure::Crush, sd);
@@ -546,10 +542,9 @@ impl<'a> Page<'a> {
         }
         if !yaw_radius.is_empty() {
             self.document.paragraph(format!(
-                "Spread by default: {}. The radius of gyration k is within {} % of the estimate with a \
+                "Spread by default: {}. The radius of gyration k is that close to its estimate with a \
                  probability of {} % (theory 5). {SWITCH_OFF}",
                 yaw_radius.join("; "),
-                100.0 * YAW_RADIUS_WITHIN,
                 100.0 * YAW_RADIUS_CONFIDENCE
             ));
         }
@@ -696,7 +691,7 @@ fn share(count: usize, of: usize) -> String {
     number(share, 1)
 }
 
-fn counted(count: usize, noun: &str) -> String {
+pub(super) fn counted(count: usize, noun: &str) -> String {
     let s = if count == 1 { "" } else { "s" };
     format!("{} {noun}{s}", grouped(count))
 }

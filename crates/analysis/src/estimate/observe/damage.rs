@@ -10,6 +10,7 @@ use real::Real;
 
 use super::{DEGREE, Subject};
 use crate::damage::assess;
+use crate::errors::{crush_misfit, is_with_object};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::uncertainty::UncertainInput;
 
@@ -73,12 +74,6 @@ impl Crushed {
     }
 }
 
-/// Whether the front of a vehicle met a fixed object, as in the crashes to which the figures for fixed
-/// objects were fitted.
-pub(crate) fn is_with_object(case: &Case, hit: &[DamagedSide]) -> bool {
-    case.vehicles.iter().any(|vehicle| vehicle.fixed) && hit == [DamagedSide::Front]
-}
-
 /// The vehicles that can move.
 pub(super) fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
     VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed)
@@ -129,13 +124,12 @@ pub(super) fn crush_errors(
     methods: [Option<EnergyMethod>; 2],
     ranges: &[UncertainInput],
     hit: &[DamagedSide],
-    is_with_object: bool,
     notes: &mut Notes,
 ) -> (CrushErrors, Option<CrushFigures>) {
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
-    let misfit = if is_with_object { FITTED.objects.misfit } else { FITTED.crush_misfit(hit) };
+    let misfit = crush_misfit(case, hit);
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
         let has_range = ranges.iter().any(|range| {
@@ -175,8 +169,11 @@ pub(super) fn crush_errors(
         [Some(_), Some(_)] => methods.map(behind),
         [known, None] | [None, known] => [behind(known); 2],
     };
-    let figures =
-        if is_with_object { FITTED.objects.figures(behind) } else { FITTED.crush_figures(hit, behind) };
+    let figures = if is_with_object(case, hit) {
+        FITTED.objects.figures(behind)
+    } else {
+        FITTED.crush_figures(hit, behind)
+    };
     (errors, figures)
 }
 

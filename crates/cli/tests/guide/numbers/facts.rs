@@ -323,6 +323,8 @@ fn how_do_i(ledger: &mut Ledger) {
     let [least, most] = bounds("class");
     ledger.made(format!("{least} … {most} … selects … CRASH3's"));
     ledger.made(format!("±{} % … radius", number(100.0 * crash3::BURG_SPREAD, 0)));
+    ledger.made(format!("1970s, to ±{} %", number(100.0 * crash3::CLASS_SPREAD, 0)));
+    ledger.cited("cars … 1970s", "the cars whose dimensions the classes have");
 }
 
 fn impact(ledger: &mut Ledger) {

@@ -93,16 +93,19 @@ fn vehicles(ledger: &mut Ledger) {
     let burg = yaw_inertia_burg(1.0, 1.0, 1.0).unwrap();
     ledger.made(format!("estimates … = {burg} ×"));
     ledger.made(format!("= {burg} × … wheelbase"));
-    let spread = number(100.0 * crash3::BURG_SPREAD, 0);
-    ledger.made(format!("right … ±{spread} %"));
+    let [spread, of_class] = [crash3::BURG_SPREAD, crash3::CLASS_SPREAD].map(|k| number(100.0 * k, 0));
+    ledger.made(format!("class … right … ±{of_class} % … Burg … ±{spread} %"));
     ledger.made(format!("gyration … {spread} %"));
+    ledger.made(format!("gyration … {of_class} %"));
+    ledger.made(format!("classes … ±{of_class} % … Burg's … ±{spread} %"));
+    ledger.cited("cars … 1970s", "the cars whose dimensions the classes have");
     let [radii, below] = radii().map(|mut values| {
         values.sort_by(f64::total_cmp);
         [values[0], values[5]]
     });
     ledger.made(format!("{} … {} m … CRASH3's … classes", number(radii[0], 1), number(radii[1], 1)));
     ledger.made(format!(
-        "±{spread} % … differ … {} … {} %",
+        "estimate … {} … {} % … below",
         number(100.0 * below[0], 0),
         number(100.0 * below[1], 0)
     ));
