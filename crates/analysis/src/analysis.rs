@@ -20,6 +20,8 @@ use crate::warning::Warning;
 pub struct Analysis<W = Warning> {
     /// The energy that the crush energy has to equal.
     pub basis: Basis,
+    /// Whether it is of the damage of one vehicle alone.
+    pub is_of_damage: bool,
     /// The speed found, in a reconstruction.
     pub found: Option<Found>,
     /// Both speeds, in a reconstruction that finds both.
@@ -99,6 +101,7 @@ impl Analysis {
     pub(crate) fn unsolved(vehicles: [Vehicle; 2]) -> Self {
         Self {
             basis: Basis::default(),
+            is_of_damage: false,
             found: None,
             both: None,
             impact: None,

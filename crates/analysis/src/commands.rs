@@ -96,7 +96,7 @@ pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
 }
 
 /// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
-/// through `impact`, or through `motion` if it has no impact.
+/// through `impact`, through `motion` if it has no impact, or through `crush` if it has one vehicle.
 ///
 /// Every sample goes through the same functions as the central values. A range of A or B varies G if the file
 /// does not give G: G = A²/2B of each sample. PDOFs continue beyond ±180°, so that they lie around the

@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use crash3::CrushError;
-use inputs::{Case, CollisionData, Faults, Purpose, ReconstructionInput, RestData, VehicleMotion};
+use inputs::{
+    Case, CollisionData, Faults, GivenVehicle, Purpose, ReconstructionInput, RestData, VehicleMotion,
+};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
 use reconcile::{Implied, MomentumAndCrush, Problem, ReconcileError};
@@ -17,6 +19,7 @@ use crate::found::{Found, refused};
 use crate::impact::collide;
 use crate::speeds::BothMethod;
 use crate::travel::{Followed, Record, TravelOrigin, Way, Ways, after_impact, departures, skid_speed};
+use crate::vehicle::Vehicle;
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,11 +32,14 @@ pub(crate) enum Goal {
     Impact,
     /// The motion after the impact, alone.
     Motion,
+    /// The damage of one vehicle, alone.
+    Damage,
 }
 
 impl Goal {
     /// A case with `[reconstruct]` asks for what that table names, a case with data after the impact and
-    /// without `[impact]` for the motion, and any other case for the impact.
+    /// without `[impact]` for the motion, a case of one vehicle for its damage, and any other case for the
+    /// impact.
     pub(crate) fn of<T>(case: &Case<T>) -> Self {
         match &case.reconstruct {
             Some(_) if case.is_by_momentum() => Self::BothSpeeds,
@@ -41,6 +47,7 @@ impl Goal {
             None if case.impact.is_none() && case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) => {
                 Self::Motion
             }
+            None if case.vehicles.iter().any(GivenVehicle::is_absent) => Self::Damage,
             None => Self::Impact,
         }
     }
@@ -51,6 +58,7 @@ impl Goal {
             Self::Speed | Self::BothSpeeds => Purpose::Reconstruct,
             Self::Impact => Purpose::Impact,
             Self::Motion => Purpose::Motion,
+            Self::Damage => Purpose::Crush,
         }
     }
 
@@ -61,6 +69,7 @@ impl Goal {
             Self::BothSpeeds => case.two_speeds().err(),
             Self::Impact => case.collision().err(),
             Self::Motion => case.motion().err(),
+            Self::Damage => case.damage().err(),
         }
     }
 }
@@ -78,6 +87,23 @@ pub(crate) struct Answer<T = f64> {
     pub(crate) skid_speeds: [Option<T>; 2],
     /// The path of each vehicle from the impact to rest.
     pub(crate) ways: [Option<Way<T>>; 2],
+    /// The damage of one vehicle, if that is all the case asks for.
+    pub(crate) crushed: [Option<Crushed<T>>; 2],
+}
+
+/// What the damage of a vehicle took.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crushed<T> {
+    /// (J) E.
+    pub(crate) energy: T,
+    /// (m/s) EES.
+    pub(crate) ees: T,
+}
+
+impl<T: Real> Crushed<T> {
+    fn of(vehicle: &Vehicle<T>) -> Option<Self> {
+        Some(Self { energy: vehicle.crush_energy()?, ees: vehicle.ees()? })
+    }
 }
 
 impl Answer {
@@ -100,6 +126,11 @@ impl Answer {
             implied: analysis.both.as_ref().filter(|both| !both.is_by_crush()).map(|both| both.implied),
             skid_speeds: analysis.skids.map(|skid| skid.map(|skid| skid.speed)),
             ways: VehicleId::ALL.map(way),
+            crushed: if analysis.is_of_damage {
+                analysis.vehicles.each_ref().map(Crushed::of)
+            } else {
+                [None, None]
+            },
         }
     }
 }
@@ -111,6 +142,7 @@ impl<T: Real> Answer<T> {
         implied: None,
         skid_speeds: [None, None],
         ways: [None, None],
+        crushed: [None, None],
     };
 
     /// (m/s) the speeds at the impact; `None` for a case that has no impact.
@@ -174,6 +206,10 @@ fn solved<T: Real>(goal: Goal, case: &Case<T>, solver: &mut impl Solver<T>) -> R
             let given = input.vehicles.each_ref().map(|way| way.as_ref().and_then(|way| way.velocity));
             let [(_, one), (_, two)] = departures(Some(&input), given, solver)?;
             Ok(Answer { ways: [one, two], ..Answer::NOTHING })
+        }
+        Goal::Damage => {
+            let vehicles = damage::assess(case.damage()?.vehicles, [None, None])?;
+            Ok(Answer { crushed: vehicles.each_ref().map(Crushed::of), ..Answer::NOTHING })
         }
     }
 }

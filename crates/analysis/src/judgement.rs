@@ -318,7 +318,6 @@ pub fn judge(case: &Case) -> Judgement {
     };
     let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
     let (furthest, _) = furthest_solver(case);
-    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let mut abilities = vec![
         of(Purpose::Reconstruct, Purpose::Reconstruct),
         of(Purpose::Impact, Purpose::Impact),
@@ -329,8 +328,7 @@ pub fn judge(case: &Case) -> Judgement {
         abilities.push(of(Purpose::Motion, Purpose::Motion));
     }
     let differentiated = match goal {
-        Goal::Motion => Purpose::Motion,
-        _ if alone => Purpose::Impact,
+        Goal::Motion | Goal::Damage => goal.purpose(),
         _ => furthest,
     };
     let on = goal.purpose();

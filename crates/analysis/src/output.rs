@@ -6,7 +6,7 @@ use pim_core::{Outcome, Real, VehicleId};
 use real::Traced;
 use reconcile::Implied;
 
-use crate::goal::Answer;
+use crate::goal::{Answer, Crushed};
 use crate::seen::Seen;
 use crate::travel::{TravelOrigin, Way};
 
@@ -105,6 +105,8 @@ pub(crate) enum Reading<T> {
     OfPath(PathPart, fn(&Way<T>) -> T),
     /// The speed where the skid marks before the impact begin.
     SkidSpeed,
+    /// From the damage of one vehicle alone.
+    OfDamage(fn(&Crushed<T>) -> T),
 }
 
 /// The part of a path to rest to which a number belongs.
@@ -134,6 +136,7 @@ impl<T: Real> Reading<T> {
             Self::Found => answer.speeds[vehicle.index()],
             Self::OfPath(_, get) => answer.ways[vehicle.index()].as_ref().map(get),
             Self::SkidSpeed => answer.skid_speeds[vehicle.index()],
+            Self::OfDamage(get) => answer.crushed[vehicle.index()].as_ref().map(get),
             Self::OfImpact(by_law, by_momentum) => match (&answer.implied, &answer.outcome) {
                 (Some(implied), _) => by_momentum.map(|get| get(implied, vehicle)),
                 (None, outcome) => outcome.as_ref().map(|outcome| by_law(outcome, vehicle)),
@@ -220,6 +223,12 @@ impl OutputQuantity {
         matches!(self.sampled, Reading::OfPath(..))
     }
 
+    /// Whether samples read it only where the damage of one vehicle is all there is.
+    #[must_use]
+    pub fn is_of_damage(&self) -> bool {
+        matches!(self.sampled, Reading::OfDamage(_))
+    }
+
     /// The output of this quantity for a vehicle.
     #[inline(always)]
     #[must_use]
@@ -303,14 +312,13 @@ impl Output {
         self.in_axes(axes, self.quantity.traced.of_answer(answer, self.id()))
     }
 
-    /// (SI) its value in an impact, NaN for the path after it and the skid before it; `found` is the speed
-    /// found.
+    /// (SI) its value in an impact, NaN for anything else; `found` is the speed found.
     #[inline(always)]
     pub(crate) fn of_impact(self, axes: Axes, found: f64, outcome: &Outcome) -> f64 {
         match self.quantity.sampled {
             Reading::Found => found,
             Reading::OfImpact(by_law, _) => self.in_axes(axes, by_law(outcome, self.id())),
-            Reading::No | Reading::OfPath(..) | Reading::SkidSpeed => f64::NAN,
+            Reading::No | Reading::OfPath(..) | Reading::SkidSpeed | Reading::OfDamage(_) => f64::NAN,
         }
     }
 

@@ -14,7 +14,7 @@ use crate::exchange::{AtContact, Exchange};
 use crate::goal::length;
 use crate::impact::Impact;
 use crate::output::PathPart::{End, Start, Whole};
-use crate::output::Reading::{self, OfImpact, OfPath, SkidSpeed};
+use crate::output::Reading::{self, OfDamage, OfImpact, OfPath, SkidSpeed};
 use crate::output::{Kind, Of, Output, OutputQuantity};
 use crate::seen::Seen;
 use crate::speeds::BothFound;
@@ -79,11 +79,17 @@ impl Output {
     #[must_use]
     pub fn all() -> Vec<Self> {
         let [_, others @ ..] = Self::of_two_vehicles(VehicleId::One);
-        each(&[SPEED]).chain(others).chain(each(&[SKID_SPEED])).chain(each(OF_PATH)).collect()
+        each(&[SPEED])
+            .chain(others)
+            .chain(each(&[SKID_SPEED]))
+            .chain(each(OF_PATH))
+            // One vehicle alone is always the first.
+            .chain([CRUSH_ENERGY.of_vehicle(VehicleId::One), EES.of_vehicle(VehicleId::One)])
+            .collect()
     }
 
     /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; the
-    /// speeds where skid marks begin; and those of the paths to rest.
+    /// speeds where skid marks begin; and those of the paths to rest. Of one vehicle alone, its energies.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
         let seen = analysis.seen(axes);
         let both = analysis.both.as_ref();
@@ -98,6 +104,9 @@ impl Output {
                 OfImpact(_, by_momentum) => {
                     let is_told = both.is_none() || by_momentum.is_some();
                     is_told && output.quantity().value(&seen, output.vehicle()).is_some()
+                }
+                OfDamage(_) => {
+                    analysis.is_of_damage && output.quantity().value(&seen, output.vehicle()).is_some()
                 }
                 SkidSpeed => output.vehicle().is_some_and(|vehicle| seen.skids[vehicle.index()].is_some()),
                 OfPath(part, _) => output.vehicle().is_some_and(|vehicle| {
@@ -420,7 +429,7 @@ quantities! {
         Angle, Vehicle(pdof),
         sampled(OfImpact(pdof_of_impact, None)) [direction];
     CRUSH_ENERGY: "crush_energy" at "/vehicle#/crush_energy", ["crush energy", "crush energy E", "E", "Eq 5"],
-        Energy, Vehicle(|a, id| a.vehicles[id.index()].crush_energy()),
+        Energy, Vehicle(|a, id| a.vehicles[id.index()].crush_energy()), sampled(OfDamage(|c| c.energy)),
         // That of both.
         drawn(|i, _| i.crush_energies[0] + i.crush_energies[1]);
     CRUSH_ENERGY_BOUNDS_LOW: "crush_energy_bounds.low" at "/vehicle#/crush_energy_bounds/0",
@@ -431,7 +440,7 @@ quantities! {
         Energy, Vehicle(|a, id| Some(damage(a, id)?.inferred?.range?.highest.energy));
     EES: "ees" at "/vehicle#/ees",
         ["energy equivalent speed", "energy equivalent speed EES", "EES", "theory 5"],
-        Speed, Vehicle(|a, id| a.vehicles[id.index()].ees());
+        Speed, Vehicle(|a, id| a.vehicles[id.index()].ees()), sampled(OfDamage(|c| c.ees));
     OBLIQUE_ANGLE: "oblique_angle" at "/vehicle#/oblique_angle",
         ["angle to the normal", "angle to the normal α", "α", "theory 5"],
         Angle, Vehicle(|a, id| damage(a, id)?.oblique_angle);

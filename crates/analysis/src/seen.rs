@@ -57,6 +57,7 @@ impl Analysis {
         // Without `..`: a new field does not compile until somebody has decided how to convert it.
         let Self {
             basis,
+            is_of_damage,
             mut found,
             mut both,
             mut impact,
@@ -91,6 +92,7 @@ impl Analysis {
         }
         let answer = Analysis {
             basis,
+            is_of_damage,
             found,
             both,
             impact,

@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Dimension, EstimatedInput, GivenVehicle, Input, Origin};
+use inputs::{Axes, Case, Dimension, EstimatedInput, Input, Origin};
 use pim_core::{ImpactError, Vector2, VehicleId};
 use real::Gradient;
 use reconcile::{Momentum, point_masses};
@@ -124,16 +124,14 @@ impl Default for Sweep {
 
 /// As [`sensitivity`](crate::sensitivity()).
 pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
-    // One vehicle alone has neither a speed nor a force to vary: solving the impact reports what is missing.
-    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let nominal = match Goal::of(case) {
-        Goal::Motion => solve::motion(case)?,
-        _ if alone => solve::impact(case)?,
+    let goal = Goal::of(case);
+    let nominal = match goal {
+        Goal::Motion | Goal::Damage => goal.solve(case)?,
         _ => solve::furthest(case)?,
     };
     let has_ways = nominal.travel.iter().any(Option::is_some);
     let has_skids = nominal.skids.iter().any(Option::is_some);
-    let is_differentiated = nominal.is_reconstruction() || has_ways || has_skids;
+    let is_differentiated = nominal.is_reconstruction() || has_ways || has_skids || nominal.is_of_damage;
     let derivatives = if is_differentiated { derivatives(case, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
@@ -143,6 +141,7 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
     let is_shown = |output: &Output| {
         [&SPEED, &DELTA_V, &SKID_SPEED].into_iter().any(|shown| output.is(shown))
             || output.quantity().is_of_path()
+            || output.quantity().is_of_damage()
     };
     let outputs: Vec<Output> = Output::of(nominal, case.axes).into_iter().filter(is_shown).collect();
     let gradients = gradients(case, nominal, &outputs)?;

@@ -1,6 +1,8 @@
 //! Solves a case, with all checks and warnings.
 
-use inputs::{Case, CollisionData, CrushEvidence, ForceData, Purpose, SurfaceData, VehicleData};
+use inputs::{
+    Case, CollisionData, CrushEvidence, ForceData, GivenVehicle, Purpose, SurfaceData, VehicleData,
+};
 use pim_core::Motion;
 use reconcile::SolutionMethod;
 
@@ -131,7 +133,8 @@ pub(crate) fn crush(case: &Case) -> Result<Analysis, Failure> {
     let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
     let warnings = warning::of_categories(case, &vehicles).into_iter().collect();
-    let analysis = Analysis { basis: input.basis, warnings, ..Analysis::unsolved(vehicles) };
+    let is_of_damage = case.vehicles.iter().any(GivenVehicle::is_absent);
+    let analysis = Analysis { basis: input.basis, is_of_damage, warnings, ..Analysis::unsolved(vehicles) };
     Ok(judged(case, analysis, input.restitution)?.beside_the_rest(case))
 }
 
@@ -160,6 +163,7 @@ impl Goal {
             Self::Speed | Self::BothSpeeds => reconstruct(case),
             Self::Impact => impact(case),
             Self::Motion => motion(case),
+            Self::Damage => crush(case),
         }
     }
 }

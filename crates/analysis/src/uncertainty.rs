@@ -441,6 +441,7 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut inputs = Vec::new();
     let mut faults = Vec::new();
     let mut unmatched = case.ranges.iter().peekable();
+    let depends_on_stiffness = case.reconstruct.is_some() || Goal::of(case) == Goal::Damage;
     let variables = case.variables_where(|variable| {
         variable.origin != Origin::Given || unmatched.next_if(|range| variable.is_at(&range.path)).is_some()
     });
@@ -450,8 +451,8 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
                 let Some(range) = ranges.next() else { continue };
                 (distribution(&input, range), range.bounds)
             }
-            // Without a speed to find, no result depends on the stiffness.
-            Origin::Estimate(EstimatedInput::Stiffness { .. }) if case.reconstruct.is_none() => continue,
+            // Without a speed to find, only the energy of one vehicle depends on the stiffness.
+            Origin::Estimate(EstimatedInput::Stiffness { .. }) if !depends_on_stiffness => continue,
             Origin::Estimate(estimate) if case.uncertainty.exact.contains(&estimate.key()) => continue,
             Origin::Estimate(EstimatedInput::Contact { vehicle, axis }) => {
                 match case.contact_spread(vehicle, axis) {
@@ -747,7 +748,7 @@ impl<'a> Sample<'a> {
                 search.several = Some(false);
                 goal::answer(self.goal, &case, &mut search).is_ok() && search.several == Some(true)
             }
-            Goal::Impact | Goal::Motion => false,
+            Goal::Impact | Goal::Motion | Goal::Damage => false,
         }
     }
 }

@@ -8,6 +8,7 @@ use inputs::{
     StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
+use real::elementary::sin_cos;
 
 use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
@@ -914,8 +915,9 @@ pub(crate) fn of_grade(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warni
     let Some((_, grade)) = skid.zip(grade) else { return };
     let course = case.skid_direction(vehicle).or(case.courses()[vehicle.index()]);
     // Of an unknown direction, the steepest.
-    let uphill = course.map_or(1.0, |course| (case.axes.lateral(grade.uphill.si()) - course).cos());
-    if (grade.slope * uphill).abs() >= LEVEL {
+    let uphill = case.axes.lateral(grade.uphill.si());
+    let along = course.map_or(1.0, |course| sin_cos(uphill - course).1);
+    if (grade.slope * along).abs() >= LEVEL {
         warnings.push(Warning::SkidOnGrade { vehicle });
     }
 }

@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use analysis::{
-    ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, NoEstimate, Sight, SpeedSource, View, avoid,
+    ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, NoEstimate, Sight, SpeedSource, Unbraked, View,
+    avoid,
 };
 use case::{Along, Case, CaseFile};
 use drawing::{Axis, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
@@ -791,4 +792,97 @@ fn who_kept_the_limit_is_asked_about_the_reaction() {
     let left = near.run_at_limit().unwrap().collision_speed;
     assert!((left - (v * v - 14.0 * (25.0 - v)).sqrt()).abs() < 1e-9, "{left}");
     assert_eq!(left, near.scene.left_at_limit());
+}
+
+/// A table that shows the vehicle braking is not overruled in silence; a speed in `[avoid]` replaces it.
+#[test]
+fn unbraked_contradicts_the_table_of_a_recorder() {
+    let text = |lines: &str| {
+        format!(
+            "[vehicle1.recorder]\npre_crash = {{ time = \"-2 -1.5 -1 -0.5 0 s\", speed = \"64 64 63 52 39 km/h\" }}\n\
+             [avoid]\nunbraked = true\nlimit = \"50 km/h\"\nreaction_time = \"0.8 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ time = \"1.8 s\" }}\n{lines}"
+        )
+    };
+    let refused = asked_with(&text(""), AvoidPlan::default()).unwrap_err().to_string();
+    assert!(refused.contains("the table of its recorder shows how it came"), "{refused}");
+    assert_eq!(asked(&text("speed = \"60 km/h\"")).scene.actual, ActualRun::Unbraked(Unbraked::Stated));
+}
+
+/// Across the strip of a car 1.8 m wide, another of 4.5 m comes from the right, its front 2 m before its CG:
+/// it is in the strip with its CG from 2.9 m before its middle to 3.4 m behind it.
+#[test]
+fn outlines_that_do_not_meet_are_refused() {
+    let at = |left: f64| {
+        let vehicle = |heading: f64, speed: f64, [x, y]: [f64; 2]| {
+            format!(
+                "heading = \"{heading} deg\"\nspeed = \"{speed} km/h\"\nlength = \"4.5 m\"\nwidth = \"1.8 m\"\n\
+                 cg_to_front = \"2 m\"\nposition = {{ x = \"{x} m\", y = \"{y} m\" }}\n"
+            )
+        };
+        let text = format!(
+            "[vehicle1]\n{}[vehicle2]\n{}[avoid]\nlimit = \"40 km/h\"\nreaction_time = \"0.8 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ time = \"1.5 s\" }}\nclear = {{ outlines = true }}\n",
+            vehicle(0.0, 50.0, [0.0, 0.0]),
+            vehicle(90.0, 20.0, [3.0, left])
+        );
+        asked_with(&text, AvoidPlan::default())
+    };
+    for left in [-2.95, 3.45] {
+        let refused = at(left).unwrap_err().to_string();
+        assert!(refused.contains("by their outlines the vehicles do not meet"), "{left}: {refused}");
+    }
+    for left in [-2.85, 0.0, 3.35] {
+        let found = at(left).unwrap().scene.clears.unwrap();
+        assert!((found.distance - (3.4 - left)).abs() < 1e-9, "{left}: {found:?}");
+    }
+}
+
+/// From a stop, 0.8 s after the demand, with 2 m/s² over 4 m. A driver who reacts within that time stays; one
+/// who reacts x later, from 2 x, stops within x² + (2 x)²/14 of the 4 m: x = √(28/9).
+#[test]
+fn a_vehicle_that_stands_at_the_demand_does_not_arrive_late() {
+    let found = asked(
+        "[[vehicle1.before.phase]]\nspeed = \"0 km/h\"\ntime = \"2 s\"\nacceleration = \"2 m/s^2\"\n\
+         [avoid]\nlimit = \"20 km/h\"\nreaction_time = \"0.5 s\"\ndeceleration = \"7 m/s^2\"\n\
+         demand = { time = \"2.8 s\" }\n",
+    );
+    assert_eq!(found.enough.deceleration, Some(0.0));
+    assert!((found.enough.reaction.unwrap() - (0.8 + (28.0_f64 / 9.0).sqrt())).abs() < 1e-9);
+    assert!(!found.scene.is_avoided_unbraked(false) && !found.scene.is_avoided_unbraked(true));
+}
+
+/// 6 m/s² over 2 s up to the impact, and a demand 1.5 s before it.
+#[test]
+fn brakes_before_the_demand_are_known() {
+    let at = |demand: &str| {
+        let text = format!(
+            "[vehicle1]\nspeed = \"30 km/h\"\n[[vehicle1.before.phase]]\ntime = \"2 s\"\nacceleration = \"-6 m/s^2\"\n\
+             [avoid]\nlimit = \"50 km/h\"\nreaction_time = \"0.8 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ time = \"{demand}\" }}\n"
+        );
+        asked(&text).scene
+    };
+    assert!((at("1.5 s").braked_at_demand().unwrap() - 6.0).abs() < 1e-12);
+    assert_eq!(at("1.5 s").delay(), None);
+    assert_eq!(at("2.5 s").braked_at_demand(), None);
+    // (50 km/h)²/(2 · 6 m/s²) = 16.1 m, and it braked over 25.3 m.
+    assert!(at("2.5 s").is_avoided_else_as_it_was());
+}
+
+/// 30 to 60 km/h over 24 m: with 0.8 s and 7 m/s², 8.33 to 14.08 m/s stop before, and are taken as unbraked.
+#[test]
+fn samples_that_would_have_stopped_are_counted() {
+    let chance = asked(
+        "[avoid]\nspeed = { low = \"30 km/h\", high = \"60 km/h\" }\nlimit = \"40 km/h\"\n\
+         reaction_time = \"0.8 s\"\ndeceleration = \"7 m/s^2\"\ndemand = { distance = \"24 m\" }\n",
+    )
+    .chance
+    .unwrap();
+    // v t_R + v²/2a = 24 m
+    let stops = 7.0 * ((0.64_f64 + 2.0 * 24.0 / 7.0).sqrt() - 0.8);
+    let exact = (stops * 3.6 - 30.0) / 30.0;
+    #[expect(clippy::cast_precision_loss, reason = "a count of samples")]
+    let (late, all) = (chance.late as f64, chance.possible as f64);
+    assert!((late / all - exact).abs() < 4.0 * (exact * (1.0 - exact) / all).sqrt(), "{late} {all} {exact}");
 }

@@ -189,3 +189,13 @@ fn restitution_has_to_be_in_range() {
         assert_eq!(raises(&analysis, "high-restitution"), passed == Some(false));
     }
 }
+
+/// Two turns a second, and a restitution of 1: errors beyond these exclude nothing.
+#[test]
+fn a_limit_beyond_all_that_happens_is_no_test() {
+    let of = |quantity, limit| Check { quantity, value: 0.5, limit }.can_fail();
+    let turn = CheckedQuantity::MomentumYawRate { vehicle: VehicleId::One, implied: 0.0, told: 0.5 };
+    assert!(of(turn, 12.5) && !of(turn, 12.6));
+    let bounce = CheckedQuantity::MomentumRestitution { implied: 0.6, given: 0.1 };
+    assert!(of(bounce, 0.9) && !of(bounce, 1.1));
+}

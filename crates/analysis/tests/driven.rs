@@ -418,7 +418,11 @@ fn phases_that_cannot_be_get_a_sentence() {
             "",
             "gives the speed at the impact",
         ),
-        ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "unbraked = true", "phases before the impact say how"),
+        (
+            "{ time = \"2 s\", acceleration = \"0 m/s^2\" }",
+            "unbraked = true",
+            "phases before the impact say how",
+        ),
         ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "speed = \"12 m/s\"", "so do the phases"),
     ] {
         let refused = asked(&text(phases, lines)).unwrap_err().to_string();

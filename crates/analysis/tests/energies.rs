@@ -220,6 +220,15 @@ fn a_speed_by_categories_is_told_to_be_low() {
     assert_eq!(of(&one.replace("{ category = 2 }", measured)), []);
     // The case itself gives the bias of its energies.
     assert_eq!(of(&format!("{text}\n[estimate]\ncrush_bias = \"80 %\"\n")), []);
+    // A front against an object has figures of its own, but a side has those of vehicles.
+    let wall = include_str!("../../../fixtures/leaning-tree.toml");
+    assert!(matches!(of(wall)[..], [(_, share)] if (share - 0.46).abs() < 0.005), "{:?}", of(wall));
+    let side = wall
+        .replace("side      = \"front\"", "side = \"right\"")
+        .replace("heading    = \"0 deg\"", "heading = \"90 deg\"\nsideslip = \"-90 deg\"")
+        .replace("{ x = \"1.85 m\", y = \"0.2 m\" }", "{ x = \"0.2 m\", y = \"-0.8 m\" }")
+        .replace("pdof      = \"0 deg\"", "pdof = \"90 deg\"");
+    assert!(matches!(of(&side)[..], [(_, share)] if (share - 0.59).abs() < 0.005), "{:?}", of(&side));
     // Speeds by momentum do not use them.
     let crossing = include_str!("../../case/templates/si/intersection.toml");
     assert_eq!(of(crossing), []);

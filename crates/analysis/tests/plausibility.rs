@@ -928,6 +928,9 @@ fn a_skid_on_a_grade_is_told() {
     assert_eq!(at(text), []);
     assert_eq!(at(&graded), [Warning::SkidOnGrade { vehicle: VehicleId::One }]);
     assert_eq!(at(&graded.replace("length = \"8 m\"", "length = \"8 m\", friction = 0.8")), []);
+    // Along the slope, the skid neither rises nor falls: 10 % sin 5° = 0.9 %.
+    assert_eq!(at(&graded.replace("\"0 deg\" }", "\"85 deg\" }")), []);
+    assert_eq!(at(&graded.replace("\"0 deg\" }", "\"80 deg\" }")).len(), 1);
 }
 
 /// Without friction and lever arm, a wall takes the velocity across it, v cos φ, and leaves v sin φ along it.

@@ -10,7 +10,7 @@
 
 use std::ops::ControlFlow;
 
-use analysis::quantities::{DELTA_V, IMPACT_NORMAL_WORK, PDOF, SKID_SPEED, SPEED};
+use analysis::quantities::{CRUSH_ENERGY, DELTA_V, EES, IMPACT_NORMAL_WORK, PDOF, SKID_SPEED, SPEED};
 use analysis::{
     Doubt, Doubtful, ExactValue, Failure, Output, Plan, Reason, Sweep, Uncertainty, impact, reconstruct,
     sensitivity, uncertainty, uncertainty_of,
@@ -825,4 +825,43 @@ fn the_speed_where_a_skid_begins_varies_with_friction_and_speed() {
     ] {
         assert!((by(path) - exact).abs() < 1e-12 * exact, "{path}: {} {exact}", by(path));
     }
+}
+
+/// EES = √(2 E/m) of one vehicle: its interval has the ends of that of the mass, and its derivatives are
+/// those of the formula.
+#[test]
+fn the_energy_equivalent_speed_of_one_vehicle_has_an_interval() {
+    let text = |stiffness: &str| {
+        format!(
+            "[vehicle1]\nmass = {{ value = \"1400 kg\", sd = \"70 kg\" }}\n[vehicle1.crush]\nside = \"front\"\n\
+             width = \"150 cm\"\ndepths = \"20 25 30 25 20 15 cm\"\nstiffness = {stiffness}\n"
+        )
+    };
+    let measured = text("{ A = \"555 N/cm\", B = \"40 N/cm^2\" }");
+    let result = run(&measured, 100_000);
+    let [of_energy, of_ees] = [CRUSH_ENERGY.of_vehicle(VehicleId::One), EES.of_vehicle(VehicleId::One)]
+        .map(|output| place(&result, output));
+    let energy = result.outputs[of_energy].central;
+    let ees = |mass: f64| (2.0 * energy / mass).sqrt();
+    assert!((result.outputs[of_ees].central - ees(1400.0)).abs() < 1e-12 * ees(1400.0));
+    let summary = result.propagation.summaries()[of_ees].unwrap();
+    let [_, _, interval, _] = summary.intervals;
+    for (end, sds) in [(interval.low, 1.959_964), (summary.median, 0.0), (interval.high, -1.959_964)] {
+        let exact = ees(1400.0 + sds * 70.0);
+        assert!((end.value - exact).abs() < 4.0 * end.standard_error.unwrap(), "{end:?} {exact}");
+    }
+    assert!(result.propagation.summaries()[of_energy].unwrap().sd.value < 1e-9 * energy);
+
+    let found = sensitivity(&read(&measured), Sweep { step: 0.1, steps: 0 }).unwrap();
+    let mut rows = found.derivatives.iter();
+    let by_mass = rows
+        .find(|row| row.output == EES.of_vehicle(VehicleId::One) && row.input.path == "vehicle1.mass")
+        .unwrap();
+    // ∂EES/∂m = −EES/2m
+    let exact = -ees(1400.0) / 2800.0;
+    assert!((by_mass.value - exact).abs() < 1e-12 * exact.abs(), "{} {exact}", by_mass.value);
+
+    // E of a category varies: ln A by 0.38, and B by 0.59.
+    let spread = run(&text("{ category = 3 }"), 10_000).propagation.summaries()[of_energy].unwrap();
+    assert!((0.2..0.8).contains(&(spread.sd.value / spread.mean.value)), "{spread:?}");
 }

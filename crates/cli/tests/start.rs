@@ -200,7 +200,7 @@ fn what_a_case_lacks_is_told_with_the_way_on() {
             "speed ",
             "if neither speed is known, `deltav estimate` finds both from all evidence; `deltav explain two unknown speeds`",
         ),
-        ("one-vehicle", "sensitivity", "", "`vehicle2` is missing: `deltav impact` needs it"),
+        ("one-vehicle", "impact", "", "`vehicle2` is missing: `deltav impact` needs it"),
     ] {
         let path = temporary(&format!("lacks-{template}.toml"));
         let text = printed(&["new", "--template", template]);

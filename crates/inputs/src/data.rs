@@ -179,7 +179,7 @@ pub struct CrushOnly<T = f64> {
     /// arm, unless it is the only vehicle of the case.
     pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
-    pub basis: Basis,
+    pub basis: Basis<T>,
     /// e, if it does not depend on the closing speed; 0 for Woolley's law.
     pub restitution: Option<T>,
 }

@@ -71,17 +71,11 @@ impl<T: Real> Case<T> {
         demand.finish(collision)
     }
 
-    fn energy_basis(&self) -> Basis<T> {
-        self.reconstruct.as_ref().map_or(Basis::Dissipated, |reconstruct| reconstruct.energy_basis)
-    }
-}
-
-impl Case {
     /// Everything that an analysis of the damage alone needs.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
-    pub fn damage(&self) -> Result<CrushOnly, Faults> {
+    pub fn damage(&self) -> Result<CrushOnly<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Crush);
         let vehicles = VehicleId::ALL.map(|id| demand.subject(id));
         // The energy of one vehicle alone needs no direction.
@@ -110,12 +104,18 @@ impl Case {
                     Some(Restitution::Constant(e)) => Some(*e),
                     Some(Restitution::OfClosingSpeed { .. }) => None,
                     // Woolley: U_n = 0
-                    None => Some(0.0),
+                    None => Some(T::ZERO),
                 }),
             }
         }))
     }
 
+    fn energy_basis(&self) -> Basis<T> {
+        self.reconstruct.as_ref().map_or(Basis::Dissipated, |reconstruct| reconstruct.energy_basis)
+    }
+}
+
+impl Case {
     /// (m) position of the contact point of the impact, in the axes of the engine, by each source in the
     /// case: as given for the scene, and from the CG of each vehicle and its arm.
     #[must_use]

@@ -95,6 +95,9 @@ impl<T: Copy> ClearForm<T> {
     }
 }
 
+/// (m) outlines no farther apart than rounding touch.
+const TOUCHES: f64 = 1e-6;
+
 impl OutlinesForm {
     /// (m) how far the other vehicle travels straight on, or straight back, until its outline has left the
     /// strip that the outline of the first sweeps; `None` if it is outside of that strip, where the two
@@ -124,7 +127,8 @@ impl OutlinesForm {
         }
         let crossing = Crossing::new(angle, [subject, other])?;
         let way = crossing.way_out(aside);
-        Ok((way > 0.0 && way <= crossing.way_through()).then_some(way))
+        let meets = way > -TOUCHES && way < crossing.way_through() + TOUCHES;
+        Ok(meets.then_some(way.max(0.0)))
     }
 }
 

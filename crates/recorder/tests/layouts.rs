@@ -312,6 +312,7 @@ fn what_gives_no_table_is_refused_with_its_place() {
         ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
         ("Time,Speed (km/h)\n0,3\n", (1, 1), "ms"),
         ("Time (s),Speed (km/h)\n-1,3\n-2,3\n0,3\n", (3, 1), "follows -1"),
+        ("Time (s),Speed (km/h)\n-3,3\n-2,3\n-1,3\n-5,3\n", (5, 1), "most times rise"),
         ("Time (s),Speed (km/h)\n-1,3\n-1,3\n0,3\n", (3, 1), "-1 s appears twice"),
         ("Time (s),Speed (km/h)\n-1,3\nInvalid,3\n0,3\n", (3, 1), "Invalid"),
         ("Time (s),Weather (km/h)\n-1,3\n0,3\n", (1, 1), "known are"),

@@ -136,8 +136,9 @@ pub(crate) struct Outcome {
     pub(crate) refusal: Option<RowRefusal>,
 }
 
-/// The outputs that samples can have.
-static OUTPUTS: LazyLock<Vec<Output>> = LazyLock::new(Output::all);
+/// The outputs that samples can have: no job of a table samples the damage alone.
+static OUTPUTS: LazyLock<Vec<Output>> =
+    LazyLock::new(|| Output::all().into_iter().filter(|output| !output.quantity().is_of_damage()).collect());
 
 /// The outputs that an estimate can have.
 static DRAWN: LazyLock<Vec<Output>> = LazyLock::new(|| {

@@ -67,17 +67,16 @@ impl<T: Real> Crossing<T> {
         [(one, two), (two, one)].map(|(own, other)| (other + own * cos.abs()) / (sin.abs() * 2.0))
     }
 
-    /// (m) distance that party 1 still has to travel until its rear has left the zone; 0 if it has already
-    /// left it. Party 1 is `aside` (m) from the middle of the strip that party 0 sweeps, positive to the left
-    /// of the direction of party 0.
+    /// (m) distance that party 1 still has to travel until its rear has left the zone; negative if it has
+    /// already left it. Party 1 is `aside` (m) from the middle of the strip that party 0 sweeps, positive to
+    /// the left of the direction of party 0.
     #[must_use]
     pub fn way_out(&self, aside: T) -> T {
         let [_, party] = &self.parties;
         let (sin, _) = self.angle.sin_cos();
         // To the middle of the zone, out of it, and the rear: z + r − q/sin θ
         let [_, half] = self.half_zones();
-        let way = half + party.rear - aside / sin;
-        if way.value() > 0.0 { way } else { T::ZERO }
+        half + party.rear - aside / sin
     }
 
     /// (m) distance that party 1 travels while any part of it is in the zone.

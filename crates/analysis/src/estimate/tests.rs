@@ -1436,3 +1436,41 @@ fn the_direction_of_a_sought_velocity_is_uncertain() {
     assert!((sideslip.prior.sd() * factor - 40.0 / 401.0).abs() < 1e-12);
     assert!((sideslip.prior.mean() * factor - 0.05_f64.atan()).abs() < 1e-12);
 }
+
+/// Phases that lead from a stop to the impact are no evidence, which is said, but the vehicle did not stand.
+#[test]
+fn phases_that_lead_to_the_impact_are_named_and_exclude_a_stationary_vehicle() {
+    let text = CENTRAL.replace("speed = \"0 km/h\"", "");
+    let with = |phase: &str| {
+        let case = read(&format!("{text}[[vehicle2.before.phase]]\n{phase}\n"));
+        let estimated = run(&case, 128).unwrap();
+        let unused: Vec<_> = estimated.unused.iter().map(|one| (one.key.clone(), one.reason)).collect();
+        (estimated.stood[1].is_some(), unused)
+    };
+    let named = vec![("vehicle2.before.phase".to_owned(), UnusedReason::Phases)];
+    let moving = "speed = \"0 km/h\"\nacceleration = \"2 m/s^2\"\ndistance = \"9 m\"";
+    assert_eq!(with(moving), (false, named.clone()));
+    // 10 m/s braked with 5 m/s² for 2 s.
+    assert_eq!(with("speed = \"10 m/s\"\nacceleration = \"-5 m/s^2\"\ntime = \"2 s\""), (true, named));
+    assert_eq!(with("time = \"2 s\"\nacceleration = \"0 m/s^2\""), (true, Vec::new()));
+}
+
+/// A car that is struck on its left, with its damage on the right.
+#[test]
+fn a_damaged_side_on_which_no_force_pushes_is_told() {
+    let text = include_str!("../../../case/templates/si/front-side.toml");
+    let told = |text: &str| -> Vec<(VehicleId, f64)> {
+        let warnings = run(&read(text), 128).unwrap().warnings;
+        let of = |warning: &Warning| match warning {
+            Warning::SideNotPushed { vehicle, oblique_angle } => Some((*vehicle, *oblique_angle)),
+            _ => None,
+        };
+        warnings.iter().filter_map(of).collect()
+    };
+    assert_eq!(told(text), []);
+    let [(VehicleId::Two, angle)] = told(&text.replace("side      = \"left\"", "side      = \"right\""))[..]
+    else {
+        panic!();
+    };
+    assert!(angle.abs() > 2.0, "{angle}");
+}

@@ -18,10 +18,12 @@ fn each_quantity_that_samples_or_draws_read_stands_in_a_list_once() {
         let count = |list: &[Output]| list.iter().filter(|output| output.is(quantity)).count();
         let each = if quantity.is_of_vehicle() { 2 } else { 1 };
         let is_sampled = !matches!(quantity.sampled, Reading::No);
-        assert_eq!(count(&all), if is_sampled { each } else { 0 }, "{} in all()", quantity.key);
+        let sampled = if quantity.is_of_damage() { 1 } else { each };
+        assert_eq!(count(&all), if is_sampled { sampled } else { 0 }, "{} in all()", quantity.key);
         // The crush energy is drawn of both vehicles together.
         let each = if quantity.key == "crush_energy" { 1 } else { each };
-        let is_drawn = quantity.drawn.is_some() || (is_sampled && !quantity.is_of_path());
+        let is_only_sampled = quantity.is_of_path() || quantity.is_of_damage();
+        let is_drawn = quantity.drawn.is_some() || (is_sampled && !is_only_sampled);
         assert_eq!(count(&drawn), if is_drawn { each } else { 0 }, "{} in drawn()", quantity.key);
     }
 }

@@ -435,6 +435,7 @@ fn fixtures_go_by_blocks_or_have_a_reason() {
               sae-980025-z-down side-impact t-bone-category tangential-share wide-ranges",
         ),
         (Some(Alone::BothSpeeds), "edcrash-tutorial rear-end-rest rear-end-rest-uncertain"),
+        (Some(Alone::Incomplete), "one-vehicle"),
     ];
     assert_eq!(found, expected.map(|(why, names)| (why, names.to_owned())), "{found:#?}");
 }

@@ -351,7 +351,7 @@ impl<'t> Reader<'t> {
         // (bytes) where an unclosed brace or bracket begins: the parser takes everything after it for its
         // content.
         let mut end = usize::MAX;
-        // The line after one that runs on into it.
+        // The next line with content after one that runs on into it.
         let mut run_into = None;
         // (bytes) a table with a repeated header, which is reported once.
         let mut double = 0..0;
@@ -374,7 +374,9 @@ impl<'t> Reader<'t> {
                 break;
             }
             if toml_slips::runs_on(self.text, span.start) {
-                run_into = Some(line(&span) + 1);
+                let has_content = |text: &str| !text.trim().is_empty() && !text.trim_start().starts_with('#');
+                let mut after = self.text.lines().enumerate().skip(line(&span) + 1);
+                run_into = after.find(|(_, text)| has_content(text)).map(|(place, _)| place);
             }
             if is_double && let Some(section) = toml_slips::section_of_header(self.text, span.start) {
                 double = section;

@@ -565,7 +565,8 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         ));
     }
     if goes_on {
-        let speed = found.scene.clears.map(|clears| clears.distance / clears.after);
+        let clears = found.scene.clears.filter(|clears| clears.after > 0.0);
+        let speed = clears.map(|clears| clears.distance / clears.after);
         table.note(match (&given.demand, speed) {
             (Some(GivenDemand::Other(_)), _) | (_, None) => {
                 "The other party continues as it approached.".to_owned()

@@ -47,7 +47,14 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     }
     page.push(commands(file, judgement));
     if let Some(purpose) = judgement.answers_most() {
-        page.paragraph(format!("`deltav {purpose}` makes the fullest use of what this case has."));
+        let can_estimate =
+            |ability: &Ability| ability.purpose == Purpose::Estimate && ability.obstacle.is_none();
+        let beside = if purpose != Purpose::Estimate && judgement.abilities.iter().any(can_estimate) {
+            " `deltav estimate` weighs it with the errors of the method: its intervals are what to report."
+        } else {
+            ""
+        };
+        page.paragraph(format!("`deltav {purpose}` makes the fullest use of what this case has.{beside}"));
     }
     if judgement.warnings.is_empty() {
         page.paragraph("No warnings (checks that need a solution were not run).");
