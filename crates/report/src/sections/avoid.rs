@@ -157,8 +157,8 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     if is_avoided_as_it_was(found) {
         lines.push(format!(
-            "It is avoided {at}{central} with the reaction and braking that it had, which were better than those \
-             of the inputs"
+            "With the reaction and braking that it had, better than those of the inputs, it is avoided \
+             {at}{central}"
         ));
     }
     lines.push(if found.enough.speed > 0.0 {
