@@ -124,8 +124,8 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
         ReconcileError::SpeedWithoutEffect { vehicle, .. } => format!(
             "vehicle {vehicle} heads along the crush plane, at right angles to its normal, so its speed \
              does not change the normal work; `crush_plane` is the angle of the normal, not of the plane, \
-             so check whether it is 90° off, check the heading, find the other vehicle's speed instead, or let \
-             `deltav estimate` weigh all the evidence"
+             so check whether it is 90° off, check the heading, find the other vehicle's speed instead, or \
+             estimate both from all the evidence"
         ),
         ReconcileError::NotConverged { last, residual } => format!(
             "the search for the speed did not converge: {} still misses the crush energy by {}; check the \
