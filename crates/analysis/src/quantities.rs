@@ -84,7 +84,7 @@ impl Output {
             .chain(each(&[SKID_SPEED]))
             .chain(each(OF_PATH))
             // One vehicle alone is always the first.
-            .chain([CRUSH_ENERGY.of_vehicle(VehicleId::One), EES.of_vehicle(VehicleId::One)])
+            .chain([EES.of_vehicle(VehicleId::One), CRUSH_ENERGY.of_vehicle(VehicleId::One)])
             .collect()
     }
 

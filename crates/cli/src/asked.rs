@@ -9,7 +9,7 @@ use rayon::ThreadPool;
 use report::{CsvStyle, Document, PROGRAM, Units};
 use requests::{Answer, NoPage, Request, Unanswered, UncertaintyOptions, site_plan_beside};
 
-use crate::arguments::{Asked, Format};
+use crate::arguments::{Asked, Format, Rows};
 use crate::cases::of_cases;
 use crate::files::{case_file, named, write};
 use crate::live::Page;
@@ -87,6 +87,12 @@ fn check(Asked { request, cases, samples_out, plots, .. }: &Asked) -> Result<()>
     }
     if cases.format.is_err() && (samples_out.is_some() || plots.is_some()) {
         bail!("--samples-out and --plots are for the report on one case: leave them out, or --format");
+    }
+    let writes_csv = matches!(cases.format, Err(Rows::Csv)) || samples_out.is_some();
+    if cases.csv_style != CsvStyle::default() && !writes_csv {
+        bail!(
+            "--csv-style is for the CSV of --format csv or --samples-out: add one of them, or leave it out"
+        );
     }
     Ok(())
 }

@@ -193,6 +193,13 @@ fn a_row_says_that_ranges_are_held() {
     assert_eq!(cell(&rows[1], "ranges"), "");
 }
 
+#[test]
+fn a_style_of_csv_without_csv_is_refused() {
+    let output = deltav("reconstruct fixtures/rear-end.toml --format json --csv-style european");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && message.contains("--samples-out"), "{message}");
+}
+
 /// Semicolons, decimal commas and a byte order mark, with the same values.
 #[test]
 fn a_european_spreadsheet_has_the_same_values() {
