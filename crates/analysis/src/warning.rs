@@ -613,7 +613,8 @@ impl Warning {
     }
 
     /// (–) the average share of the impact's energy that crush energies show, if that is what it says.
-    pub(crate) fn energy_share(&self) -> Option<f64> {
+    #[must_use]
+    pub fn energy_share(&self) -> Option<f64> {
         if let Self::CategoryEnergy { share, .. } = self { Some(*share) } else { None }
     }
 

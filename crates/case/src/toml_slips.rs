@@ -12,7 +12,7 @@ use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
 use crate::units::read_unit;
 use crate::units_in_use::UnitsInUse;
-use inputs::{Dimension, format_number};
+use inputs::{Dimension, acts, format_number};
 
 /// A brace or bracket that nothing closes.
 pub(crate) struct Unclosed {
@@ -45,14 +45,15 @@ struct Line<'t> {
 type Found = Option<(String, String)>;
 
 /// The recognisers of slips, the most reliable first.
-const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 14] = [
+const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 15] = [
     depth,
-    foreign_character,
+    invisible,
     no_value,
     inch_mark,
     typographic_quotes,
     backslash,
     other_comment,
+    foreign_letter,
     key_of_other_form,
     lost_quote,
     quotes_within,
@@ -244,6 +245,16 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
+/// A line without the texts in it.
+fn without_texts(line: &str) -> String {
+    let (mut outside, mut rest) = (String::new(), line);
+    while let Some(at) = rest.find(['"', '\'']) {
+        outside.push_str(&rest[..at]);
+        rest = &rest[at + length_of_text(&rest.as_bytes()[at..], rest.as_bytes()[at])..];
+    }
+    outside + rest
+}
+
 /// Whether a text on this line lacks a quote, within a brace or bracket that the line opens: the parser then
 /// takes the next lines for more of its content.
 pub(crate) fn runs_on(text: &str, at: usize) -> bool {
@@ -263,7 +274,7 @@ impl<'t> Line<'t> {
         let at = text.floor_char_boundary(at);
         let (start, end) = bounds_of_line(text, at);
         let whole = if end - start > LONGEST { "" } else { &text[start..end] };
-        let line = without_comment(whole).trim_end();
+        let line = without_comment(whole).trim_end_matches([' ', '\t', '\r']);
         let at = (at - start).min(line.len());
         let equals = line[..at].rfind('=').or_else(|| line.find('='));
         let (key, value) =
@@ -316,34 +327,31 @@ fn depth(line: &Line<'_>, _: &UnitsInUse) -> Found {
     is_deep.then(|| (line.error.message.to_owned(), "no value of a case needs such deep nesting".to_owned()))
 }
 
-/// Whether a character has no shape, or the shape of a space, without being one.
+/// Whether a character has no shape, or that of a space, without being one.
 fn is_invisible(c: char) -> bool {
-    let has_no_width =
-        matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}' | '\u{feff}');
-    !c.is_ascii() && (c.is_whitespace() || has_no_width)
+    !c.is_ascii() && (c.is_whitespace() || acts(c) || matches!(c, '\u{200c}' | '\u{200d}'))
 }
 
-/// A character that cannot be seen, or one that looks like a letter of a name.
-fn foreign_character(line: &Line<'_>, _: &UnitsInUse) -> Found {
-    let mut last = ' ';
-    let mut outside_of_texts = line.text.split('"').step_by(2).flat_map(str::chars).filter(|&c| {
-        // Between digits, it groups them.
-        let groups = last.is_ascii_digit();
-        last = c;
-        is_invisible(c) && !groups
-    });
-    if let Some(c) = outside_of_texts.next() {
-        return found(
-            format!(
-                "this line has an invisible character, U+{:04X}, which is not a plain space",
-                u32::from(c)
-            ),
-            "delete it, or type a space in its place",
-        );
-    }
-    let name = line.text.split_once('=').map_or(line.text, |(name, _)| name);
-    let foreign =
-        name.split('"').step_by(2).flat_map(str::chars).find(|c| !c.is_ascii() && c.is_alphabetic())?;
+/// A character outside of the texts that cannot be seen, unless it groups digits.
+fn invisible(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    let letters: Vec<char> = without_texts(line.text).chars().collect();
+    let is_digit = |at: usize| letters.get(at).is_some_and(char::is_ascii_digit);
+    let groups = |at: usize| at > 0 && is_digit(at - 1) && is_digit(at + 1);
+    let (_, c) = letters.iter().enumerate().find(|&(at, c)| is_invisible(*c) && !groups(at))?;
+    found(
+        format!("this line has an invisible character, U+{:04X}, which is not a plain space", u32::from(*c)),
+        "delete it, or type a space in its place",
+    )
+}
+
+/// A letter in the name of a key or a table that is none of TOML's, such as a Cyrillic one.
+fn foreign_letter(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    let text = without_texts(line.text);
+    let name = match text.split_once('=') {
+        Some((name, _)) => name,
+        None => text.trim_start().strip_prefix('[')?,
+    };
+    let foreign = name.chars().find(|c| !c.is_ascii() && c.is_alphabetic())?;
     found(
         format!("the letter {foreign} (U+{:04X}) in this name is not one of a to z", u32::from(foreign)),
         "type the name again",

@@ -416,11 +416,7 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
     } else {
         super::validation::validation_headline(validation, units)
     });
-    let mut warnings = analysis.warnings.iter();
-    if let Some(share) = warnings.find_map(|warning| match warning {
-        Warning::CategoryEnergy { share, .. } => Some(*share),
-        _ => None,
-    }) {
+    if let Some(share) = analysis.warnings.iter().find_map(Warning::energy_share) {
         page.paragraph(format!(
             "The categories of CRASH3 were made for the cars of these tests, of the 1970s. In crashes of 2017, \
              energies by categories were on average {} % of what recorders show, so that today such speeds are \
