@@ -164,7 +164,7 @@ pub enum SamplerDoubt {
 pub enum Verdict<'a> {
     /// All islands agree.
     Converged,
-    /// The run has not converged, for these reasons, so its draws are not an answer.
+    /// The run did not converge, so its draws are not an answer; these are the reasons.
     NotConverged(&'a [SamplerDoubt]),
 }
 

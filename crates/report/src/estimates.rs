@@ -365,7 +365,7 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::Phases => [
             "phases",
-            "phases before the impact are evidence for `deltav avoid` alone",
+            "only `deltav avoid` uses the phases before the impact",
             "the speed to which they lead as `speed` of the vehicle, with its range",
         ],
         UnusedReason::OtherPdof => [

@@ -399,14 +399,14 @@ fn beaten_by_what_happened(found: &Avoidance, units: Units) -> Vec<String> {
     };
     let before = found.scene.braked_at_demand().map(|rate| {
         format!(
-            "At the reaction demand the vehicle already braked with {}. A run with a reaction releases the brakes until \
-             that reaction ends, so it is worse than what could have been: check whether the demand was earlier.",
+            "At the reaction demand the vehicle already braked with {}. Each run with a reaction assumes no braking \
+             until the reaction ends, so it is worse than what was possible: check whether the demand was earlier.",
             units.format(Measure::Acceleration, rate)
         )
     });
     let better = is_avoided_as_it_was(found).then(|| {
         format!(
-            "At the limit, the vehicle avoids the collision with the braking that {shown}, and not with the reaction and \
+            "At the limit, the vehicle avoids the collision with the braking that {shown}, but not with the reaction and \
              braking of the inputs, which are therefore worse than what happened. Check the demand, the reaction \
              time and the deceleration."
         )

@@ -50,7 +50,7 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
         let can_estimate =
             |ability: &Ability| ability.purpose == Purpose::Estimate && ability.obstacle.is_none();
         let beside = if purpose != Purpose::Estimate && judgement.abilities.iter().any(can_estimate) {
-            " `deltav estimate` weighs it with the errors of the method: its intervals are what to report."
+            " `deltav estimate` also includes the errors of the method: report its intervals."
         } else {
             ""
         };
