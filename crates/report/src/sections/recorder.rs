@@ -68,7 +68,9 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         lines.extend(speed.humps.map(|humps| {
             let [last, earlier] =
                 humps.map(|hump| format!("{} ({} %)", road(hump.mean), percent(hump.probability)));
-            format!("The stored speed falls steeply, so it is about {last} or about {earlier}, hardly in between")
+            format!(
+                "The stored speed falls steeply, so it is about {last} or about {earlier}, hardly in between"
+            )
         }));
     }
     if let Some(span) = leading(&found.spans) {
