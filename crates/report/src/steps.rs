@@ -15,11 +15,11 @@ mod momentum;
 mod numbers;
 
 use analysis::Analysis;
-use case::{Case, Quantity};
+use case::{Case, Quantity, STANDARD_GRAVITY};
 use pim_core::VehicleId;
 
 use crate::units::{Measure, Units};
-use numbers::{angle, converted, is_coherent, n, name_of, p};
+use numbers::{Amount, Known, angle, filled, is_coherent, n};
 
 pub(crate) use numbers::digits;
 
@@ -45,65 +45,9 @@ pub struct Step {
     /// The result in the units of the rest of the report, like `24.71 ft/s = 16.85 mph`; `None` if these are
     /// its own.
     pub repeated: Option<String>,
-    /// Its quantity in the units of the reader, if `unit` alone does not determine it.
-    quantity: Option<Measure>,
-    /// The number of the file that it repeats; it needs no equation if it has the unit of the equations.
-    input: Option<Quantity>,
     /// The source of the equation: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
     /// value without an equation, the source of the value: `input`, or a table.
     pub source: &'static str,
-}
-
-impl Step {
-    /// Converts the step from SI units to those of the reader.
-    fn for_reader(self, units: Units) -> Self {
-        let quantity = self.quantity.or_else(|| quantity(self.unit));
-        let (size, unit) = units.coherent(self.unit);
-        let road = (quantity == Some(Measure::Speed)).then_some(Measure::RoadSpeed);
-        let shown: Vec<String> = [quantity, road]
-            .into_iter()
-            .flatten()
-            .filter(|&quantity| units.name(quantity) != unit)
-            .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
-            .collect();
-        let value = self.value / size;
-        let is_as_given = self.input.is_some_and(|input| is_coherent(&input, self.unit, units));
-        let [formula, substitution] = [&self.formula, &self.substitution]
-            .map(|text| if is_as_given { String::new() } else { numbers::printed(text, units) });
-        Self {
-            formula,
-            substitution,
-            value,
-            unit,
-            printed: digits(value),
-            repeated: (!shown.is_empty()).then(|| shown.join(" = ")),
-            ..self
-        }
-    }
-
-    /// Sets a quantity other than that of its unit alone.
-    fn of(self, quantity: Measure) -> Self {
-        Self { quantity: Some(quantity), ..self }
-    }
-}
-
-/// The quantity that has this unit in most steps. Intermediate sums, such as an area, only ever have the unit
-/// of the equations.
-fn quantity(unit: &str) -> Option<Measure> {
-    Some(match unit {
-        "m/s" => Measure::Speed,
-        "m" => Measure::Length,
-        "kg" => Measure::Mass,
-        "kg·m²" => Measure::YawInertia,
-        "rad/s" => Measure::YawRateDegrees,
-        "J" => Measure::Energy,
-        "N·s" => Measure::Impulse,
-        "N·m·s" => Measure::MomentImpulse,
-        "N/m" => Measure::StiffnessA,
-        "N/m²" => Measure::StiffnessB,
-        "N" => Measure::StiffnessG,
-        _ => return None,
-    })
 }
 
 /// Steps that belong together.
@@ -125,55 +69,145 @@ pub fn steps(case: &Case, analysis: &Analysis, units: Units) -> Vec<StepGroup> {
     groups.extend(collision::groups(case, analysis));
     groups.extend(momentum::ways(analysis));
     groups.extend(crash3::groups(case, analysis));
-    groups.retain(|group| !group.steps.is_empty());
-    for group in &mut groups {
-        let steps = std::mem::take(&mut group.steps);
-        group.steps = steps.into_iter().map(|step| step.for_reader(units)).collect();
+    groups.retain(|group| !group.drafts.is_empty());
+    let mut known = vec![("g".to_owned(), n(STANDARD_GRAVITY, "m/s²"))];
+    for k in VehicleId::ALL {
+        let (heading, course) = (heading(case, k), course(case, k).0);
+        known.extend([(format!("θ_{k}"), angle(heading)), (format!("β_{k}"), angle(course - heading))]);
     }
-    groups
+    let mut finish = |DraftGroup { title, drafts }: DraftGroup| {
+        let steps = drafts.into_iter().map(|draft| {
+            let result = (draft.symbol.clone(), n(draft.value, draft.unit));
+            let step = draft.step(&known, units);
+            known.push(result);
+            step
+        });
+        StepGroup { title, steps: steps.collect() }
+    };
+    groups.into_iter().map(&mut finish).collect()
 }
 
-fn group(title: impl Into<String>, steps: Vec<Step>) -> StepGroup {
-    StepGroup { title: title.into(), steps }
+/// Results that belong together.
+struct DraftGroup {
+    title: String,
+    drafts: Vec<Draft>,
 }
 
-/// A result before its value: its name and symbol, and its equation if it has one.
-struct Unsolved {
+fn group(title: impl Into<String>, drafts: Vec<Draft>) -> DraftGroup {
+    DraftGroup { title: title.into(), drafts }
+}
+
+/// One result in SI units or degrees, its equation in symbols alone.
+struct Draft {
     name: String,
     symbol: String,
     formula: String,
-    substitution: String,
+    /// The equation into which numbers are put, if that is not the formula.
+    numeric: Option<String>,
+    /// Symbols of the equation that are no results of earlier steps.
+    own: Known,
+    value: f64,
+    unit: &'static str,
+    source: &'static str,
+    /// Its quantity in the units of the reader, if `unit` alone does not determine it.
+    quantity: Option<Measure>,
+    /// The number of the file that it repeats.
+    input: Option<Quantity>,
 }
 
 /// A result, or a number of the case or of a table, under its name and symbol.
-fn step(name: impl Into<String>, symbol: impl Into<String>) -> Unsolved {
-    let (name, symbol) = (name.into(), symbol.into());
-    Unsolved { name, symbol, formula: String::new(), substitution: String::new() }
+fn step(
+    name: impl Into<String>,
+    symbol: impl Into<String>,
+    (value, unit): (f64, &'static str),
+    source: &'static str,
+) -> Draft {
+    Draft {
+        name: name.into(),
+        symbol: symbol.into(),
+        formula: String::new(),
+        numeric: None,
+        own: Known::new(),
+        value,
+        unit,
+        source,
+        quantity: None,
+        input: None,
+    }
 }
 
-impl Unsolved {
-    /// Its equation's right side, in symbols and in numbers.
-    fn equals(self, formula: impl Into<String>, substitution: String) -> Self {
-        Self { formula: formula.into(), substitution, ..self }
+impl Draft {
+    /// Its equation's right side, in symbols.
+    fn equals(self, formula: impl Into<String>) -> Self {
+        Self { formula: formula.into(), ..self }
     }
 
-    /// The step with the value, in the unit of the equations, and its source.
-    fn is(self, value: f64, unit: &'static str, source: &'static str) -> Step {
-        let Self { name, symbol, formula, substitution } = self;
+    /// What symbols of its equation stand for, where that is no result of an earlier step.
+    fn with<S: Into<String>>(mut self, own: impl IntoIterator<Item = (S, Amount)>) -> Self {
+        self.own.extend(own.into_iter().map(|(symbol, amount)| (symbol.into(), amount)));
+        self
+    }
+
+    /// The equation into which numbers are put, where the formula abbreviates it.
+    fn written_out(self, numeric: impl Into<String>) -> Self {
+        Self { numeric: Some(numeric.into()), ..self }
+    }
+
+    /// Sets a quantity other than that of its unit alone.
+    fn of(self, quantity: Measure) -> Self {
+        Self { quantity: Some(quantity), ..self }
+    }
+
+    /// The step in the units of the reader.
+    fn step(self, known: &Known, units: Units) -> Step {
+        let quantity = self.quantity.or_else(|| quantity(self.unit));
+        let (size, unit) = units.coherent(self.unit);
+        let road = (quantity == Some(Measure::Speed)).then_some(Measure::RoadSpeed);
+        let shown: Vec<String> = [quantity, road]
+            .into_iter()
+            .flatten()
+            .filter(|&quantity| units.name(quantity) != unit)
+            .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
+            .collect();
+        let value = self.value / size;
+        let substitution = filled(self.numeric.as_ref().unwrap_or(&self.formula), known, &self.own, units);
+        // A number of the file needs no equation if it has the unit of the equations.
+        let (formula, substitution) = match self.input {
+            Some(input) if is_coherent(&input, self.unit, units) => Default::default(),
+            Some(_) => (format!("as given, in {unit}"), substitution),
+            None => (self.formula, substitution),
+        };
         Step {
-            name,
-            symbol,
+            name: self.name,
+            symbol: self.symbol,
             formula,
             substitution,
             value,
             unit,
-            printed: String::new(),
-            repeated: None,
-            quantity: None,
-            input: None,
-            source,
+            printed: digits(value),
+            repeated: (!shown.is_empty()).then(|| shown.join(" = ")),
+            source: self.source,
         }
     }
+}
+
+/// The quantity that has this unit in most steps. Intermediate sums, such as an area, only ever have the unit
+/// of the equations.
+fn quantity(unit: &str) -> Option<Measure> {
+    Some(match unit {
+        "m/s" => Measure::Speed,
+        "m" => Measure::Length,
+        "kg" => Measure::Mass,
+        "kg·m²" => Measure::YawInertia,
+        "rad/s" => Measure::YawRateDegrees,
+        "J" => Measure::Energy,
+        "N·s" => Measure::Impulse,
+        "N·m·s" => Measure::MomentImpulse,
+        "N/m" => Measure::StiffnessA,
+        "N/m²" => Measure::StiffnessB,
+        "N" => Measure::StiffnessG,
+        _ => return None,
+    })
 }
 
 /// (rad) the heading of a vehicle, in the axes of the case.

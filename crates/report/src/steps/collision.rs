@@ -10,10 +10,10 @@ use analysis::{Impact, Seen};
 use case::Case;
 use pim_core::VehicleId;
 
-use super::{StepGroup, group};
+use super::{DraftGroup, group};
 
-pub(super) use self::energy::{kinetic, work};
-pub(super) use self::motion::relative;
+pub(super) use self::energy::{kinetic, works};
+pub(super) use self::motion::{pdof, relative};
 
 /// The data that most steps share.
 struct Collision<'a> {
@@ -22,21 +22,21 @@ struct Collision<'a> {
     impact: &'a Impact,
     /// (rad) scene angle of n, oriented from vehicle 2 to vehicle 1.
     gamma: f64,
-    /// (kg, kg·m²) of each vehicle that can move.
-    inertia: [Option<(f64, f64)>; 2],
+    /// Whether each vehicle can move.
+    has_inertia: [bool; 2],
 }
 
-pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<DraftGroup> {
     let Some(impact) = &analysis.impact else { return Vec::new() };
     let collision = Collision {
         case,
         analysis,
         impact,
         gamma: impact.contact.normal_angle(),
-        inertia: analysis
+        has_inertia: analysis
             .vehicles
             .each_ref()
-            .map(|vehicle| vehicle.subject.inertia.and_then(|v| Some((v.mass, v.yaw_inertia?)))),
+            .map(|vehicle| vehicle.subject.inertia.is_some_and(|inertia| inertia.yaw_inertia.is_some())),
     };
     let is_check = analysis.law_check().is_some();
     let mut groups = vec![
@@ -59,19 +59,12 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
 }
 
 impl Collision<'_> {
-    fn moving(&self) -> impl Iterator<Item = (VehicleId, f64, f64)> {
-        let vehicles = VehicleId::ALL.into_iter().zip(self.inertia);
-        vehicles.filter_map(|(k, v)| v.map(|(m, inertia)| (k, m, inertia)))
+    fn moving(&self) -> impl Iterator<Item = VehicleId> {
+        VehicleId::ALL.into_iter().filter(|k| self.has_inertia[k.index()])
     }
 
-    /// A sum over the vehicles that can move, in symbols and in numbers.
-    fn sum(
-        &self,
-        symbols: &dyn Fn(VehicleId) -> String,
-        numbers: &dyn Fn(VehicleId, f64, f64) -> String,
-    ) -> (String, String) {
-        let formula: Vec<String> = self.moving().map(|(k, ..)| symbols(k)).collect();
-        let substitution: Vec<String> = self.moving().map(|(k, m, inertia)| numbers(k, m, inertia)).collect();
-        (formula.join(" + "), substitution.join(" + "))
+    /// A sum over the vehicles that can move.
+    fn sum(&self, term: impl Fn(VehicleId) -> String) -> String {
+        self.moving().map(term).collect::<Vec<_>>().join(" + ")
     }
 }

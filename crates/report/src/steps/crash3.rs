@@ -8,9 +8,9 @@ use case::Case;
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 
-use super::{Step, StepGroup, angle, group, n, step};
+use super::{Draft, DraftGroup, angle, group, n, step};
 
-pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<DraftGroup> {
     let mut groups = Vec::new();
     for (i, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
         if let Some(damage) = &vehicle.damage {
@@ -40,7 +40,7 @@ fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
 }
 
 /// The PDOF that the file gives for the vehicle or, if it gives that of the other vehicle, the opposite one.
-fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Step> {
+fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Draft> {
     let pdof = vehicle.subject.force.pdof?;
     let (what, source) = if vehicle.subject.force.pdof_follows {
         ("opposite to the given force on the other vehicle", "theory 5")
@@ -49,7 +49,7 @@ fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<St
     };
     let instead = if has_impulse { ", used for CRASH3 in place of that of the impulse" } else { "" };
     let name = format!("PDOF of vehicle {i} {what}{instead}");
-    Some(step(name, pdof_symbol(vehicle, i)).is(pdof.to_degrees(), "°", source))
+    Some(step(name, pdof_symbol(vehicle, i), (pdof.to_degrees(), "°"), source))
 }
 
 fn oblique(
@@ -58,72 +58,47 @@ fn oblique(
     correction: Option<(ObliqueCorrection, f64)>,
     pdof_symbol: &str,
     i: VehicleId,
-) -> Vec<Step> {
+) -> Vec<Draft> {
     let Some(alpha) = damage.oblique_angle else { return Vec::new() };
-    let square = correction.map(|(_, square)| square);
-    let mut steps = vec![oblique_angle(damage.pdof.zip(square), alpha, pdof_symbol, i)];
+    let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
+    let mut angle_of_force = step(name, format!("α_{i}"), (alpha.to_degrees(), "°"), "theory 5");
+    // α follows from the PDOF and that of a square hit, or is given.
+    if let Some((pdof, (_, square))) = damage.pdof.zip(correction)
+        && (pdof - square - alpha).abs() < 1e-9
+    {
+        angle_of_force = angle_of_force
+            .equals(format!("{pdof_symbol} − PDOF of a square hit"))
+            .with([(pdof_symbol, angle(pdof)), ("PDOF of a square hit", angle(square))]);
+    }
+    let mut steps = vec![angle_of_force];
     let Some(oblique) = &damage.oblique else { return steps };
     if damage.inferred.is_none()
         && let Some(profile) = super::damage::measured(vehicle)
     {
-        steps.extend(peak_force::steps(&damage.structure, profile, [oblique.peak_force, alpha], i));
+        steps.extend(peak_force::steps(&damage.structure, profile, oblique.peak_force, i));
     }
-    let (formula, numbers) =
-        factor(alpha, correction.map(|(correction, _)| correction), oblique.factor.capped, i);
+    let correction = correction.map(|(correction, _)| correction);
+    let is_capped = oblique.factor.capped;
     let (of, source) = match correction {
-        Some((ObliqueCorrection::Secant, _)) => (" after Fonda (SAE 1999-01-0106)", "theory 5"),
-        _ if oblique.factor.capped => (", at CRASH3's limit of 45°", "Eq 8"),
+        Some(ObliqueCorrection::Secant) => (" after Fonda (SAE 1999-01-0106)", "theory 5"),
+        _ if is_capped => (", at CRASH3's limit of 45°", "Eq 8"),
         _ => ("", "Eq 8"),
     };
-    steps.push(
-        step(format!("factor of the oblique correction{of}, vehicle {i}"), format!("f_{i}"))
-            .equals(formula, numbers)
-            .is(oblique.factor.factor, "", source),
-    );
-    steps.push(
-        step(format!("corrected crush energy, vehicle {i}"), format!("E'_{i}"))
-            .equals(
-                format!("E_{i} f_{i}"),
-                format!("{} · {}", n(damage.crush_energy, "J"), n(oblique.factor.factor, "")),
-            )
-            .is(oblique.corrected_crush_energy, "J", "Eq 8"),
-    );
-    steps
-}
-
-/// α (rad), from the PDOF and that of a square hit if it follows from them.
-fn oblique_angle(pdofs: Option<(f64, f64)>, alpha: f64, pdof_symbol: &str, i: VehicleId) -> Step {
-    let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
-    match pdofs {
-        Some((pdof, square)) if (pdof - square - alpha).abs() < 1e-9 => step(name, format!("α_{i}"))
-            .equals(
-                format!("{pdof_symbol} − PDOF of a square hit"),
-                format!("{} − {}", angle(pdof), angle(square)),
-            )
-            .is(alpha.to_degrees(), "°", "theory 5"),
-        _ => step(name, format!("α_{i}")).is(alpha.to_degrees(), "°", "theory 5"),
-    }
-}
-
-/// The factor of a correction in symbols and in numbers.
-fn factor(
-    alpha: f64,
-    correction: Option<ObliqueCorrection>,
-    is_capped: bool,
-    i: VehicleId,
-) -> (String, String) {
-    let alpha = angle(alpha);
-    let tangent = format!("tan{alpha}");
-    match correction {
-        Some(ObliqueCorrection::None) => (String::new(), String::new()),
-        Some(ObliqueCorrection::Capped) if is_capped => (String::new(), String::new()),
-        Some(ObliqueCorrection::Friction(mu)) => (
-            format!("1 + min(|tan α_{i}|, μ) |tan α_{i}|"),
-            format!("1 + min(abs({tangent}), {}) · abs({tangent})", n(mu, "")),
-        ),
-        Some(ObliqueCorrection::Secant) => (format!("1/cos α_{i}"), format!("1 / cos{alpha}")),
-        Some(ObliqueCorrection::Capped | ObliqueCorrection::Uncapped) | None => {
-            (format!("1 + tan² α_{i}"), format!("1 + ({tangent})²"))
+    let mut friction = None;
+    let formula = match correction {
+        Some(ObliqueCorrection::None) => String::new(),
+        Some(ObliqueCorrection::Capped) if is_capped => String::new(),
+        Some(ObliqueCorrection::Friction(mu)) => {
+            friction = Some(("μ", n(mu, "")));
+            format!("1 + min(|tan α_{i}|, μ) |tan α_{i}|")
         }
-    }
+        Some(ObliqueCorrection::Secant) => format!("1/cos α_{i}"),
+        Some(ObliqueCorrection::Capped | ObliqueCorrection::Uncapped) | None => format!("1 + tan² α_{i}"),
+    };
+    let name = format!("factor of the oblique correction{of}, vehicle {i}");
+    let factor = step(name, format!("f_{i}"), (oblique.factor.factor, ""), source);
+    steps.push(factor.equals(formula).with(friction));
+    let (name, energy) = (format!("corrected crush energy, vehicle {i}"), oblique.corrected_crush_energy);
+    steps.push(step(name, format!("E'_{i}"), (energy, "J"), "Eq 8").equals(format!("E_{i} f_{i}")));
+    steps
 }

@@ -1,84 +1,149 @@
-//! Numbers of a substitution, kept until the units of the reader are known.
+//! Equations with numbers in place of their symbols.
 //!
-//! The steps put numbers in SI units into their equations. All equations hold in any coherent system of
-//! units, so a reader of US units gets the same steps in ft, lb, s and slug (lb·s²/ft). Until the system is
-//! known, a number is in the text as its SI value and unit between marks, with every digit.
+//! An equation is written once, in symbols: `½ m_1 (v_1x² + v_1y²)`. Each symbol stands for the result of an
+//! earlier step, or for a number that the step brings along.
 
 use case::Quantity;
 
 use crate::units::{Units, significant};
 
-/// The marks of such a number: beginning, separator of its parts, and end. No other text of a step contains
-/// them.
-const BEGIN: char = '\u{e000}';
-const NEXT: char = '\u{e001}';
-const END: char = '\u{e002}';
-
-/// A number with its unit, in parentheses if it is negative or a product.
-pub(super) fn n(value: f64, unit: &str) -> String {
-    format!("{BEGIN}n{NEXT}{value:e}{NEXT}{unit}{END}")
+/// What a symbol stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Amount {
+    /// In SI units or degrees. All equations hold in any coherent system of units, so a reader of US units
+    /// gets the same steps in ft, lb, s and slug (lb·s²/ft).
+    Plain(f64, &'static str),
+    /// A number of the file in the unit of the equations: `3300 lb · 0.453592 kg/lb`, or unchanged if the
+    /// file has that unit.
+    Given(Quantity, &'static str),
 }
 
-/// A number with its unit in parentheses, to be raised to a power.
-pub(super) fn p(value: f64, unit: &str) -> String {
-    format!("{BEGIN}p{NEXT}{value:e}{NEXT}{unit}{END}")
+/// A number with its unit.
+pub(super) fn n(value: f64, unit: &'static str) -> Amount {
+    Amount::Plain(value, unit)
 }
 
-/// A number of the file in the unit of the equations: `3300 lb · 0.453592 kg/lb`, or unchanged if the file
-/// has that unit.
-pub(super) fn converted(quantity: &Quantity, unit: &str) -> String {
-    let own = quantity.unit().spelling().replace(' ', "·").replace("^2", "²");
-    let (number, factor) = (quantity.number(), quantity.unit().factor());
-    format!("{BEGIN}c{NEXT}{number:e}{NEXT}{own}{NEXT}{factor:e}{NEXT}{unit}{END}")
+/// An angle (rad).
+pub(super) fn angle(rad: f64) -> Amount {
+    n(rad.to_degrees(), "°")
 }
 
-/// The name of a unit.
-pub(super) fn name_of(unit: &str) -> String {
-    format!("{BEGIN}u{NEXT}{unit}{END}")
+/// Symbols and what they stand for.
+pub(super) type Known = Vec<(String, Amount)>;
+
+impl Amount {
+    /// In the coherent units of the reader, in parentheses if it is negative or a product, or has to be.
+    fn printed(self, units: Units, is_enclosed: bool) -> String {
+        match self {
+            Self::Plain(value, unit) => {
+                let (size, unit) = units.coherent(unit);
+                let text = with_unit(value / size, unit);
+                if is_enclosed { format!("({text})") } else { bracketed(text) }
+            }
+            Self::Given(quantity, unit) => {
+                let own = quantity.unit().spelling().replace(' ', "·").replace("^2", "²");
+                let (size, unit) = units.coherent(unit);
+                let number = bracketed(with_unit(quantity.number(), &own));
+                match quantity.unit().factor() / size {
+                    same if is_one(same) => number,
+                    factor => {
+                        let own = if own.contains('·') { format!("({own})") } else { own };
+                        format!("{number} · {}", bracketed(with_unit(factor, &format!("{unit}/{own}"))))
+                    }
+                }
+            }
+        }
+    }
 }
 
-/// An angle as the argument of a function.
-pub(super) fn angle(rad: f64) -> String {
-    format!("({}\u{a0}°)", digits(rad.to_degrees()))
-}
+const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "min", "atan2"];
 
-/// The text with its numbers in the coherent units of the reader.
-pub(super) fn printed(text: &str, units: Units) -> String {
-    let mut parts = text.split(BEGIN);
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (number, rest) = part.split_once(END).unwrap_or((part, ""));
-        let fields: Vec<&str> = number.split(NEXT).collect();
-        out.push_str(&one(&fields, units).unwrap_or_default());
-        out.push_str(rest);
+/// The equation with numbers: `½ · 1500 kg · ((12 m/s)² + (0 m/s)²)`. Later symbols hide earlier ones.
+pub(super) fn filled(formula: &str, known: &Known, own: &Known, units: Units) -> String {
+    let mut out = String::new();
+    let mut rest = formula;
+    // A space multiplies between two factors.
+    let mut has_factor = false;
+    // What follows the argument of a function that has no parentheses in symbols.
+    let mut closing = None;
+    while let Some(letter) = rest.chars().next() {
+        let mut length = letter.len_utf8();
+        match letter {
+            ' ' if has_factor && rest[1..].starts_with(begins_factor) => {
+                out.push_str(" · ");
+                has_factor = false;
+            }
+            '(' | '[' | '{' => {
+                out.push('(');
+                has_factor = false;
+            }
+            ')' | ']' | '}' => {
+                out.push(')');
+                has_factor = true;
+            }
+            '|' => {
+                out.push_str(if has_factor { ")" } else { "abs(" });
+                has_factor = !has_factor;
+            }
+            '/' => {
+                out.push_str(" / ");
+                has_factor = false;
+            }
+            ' ' | '²' => out.push(letter),
+            letter if letter.is_alphabetic() => {
+                if let Some((symbol, amount)) = meaning(rest, known, own) {
+                    length = symbol.len();
+                    let is_raised = rest[length..].starts_with('²');
+                    let end: Option<&str> = closing.take();
+                    out.push_str(&amount.printed(units, is_raised || end.is_some()));
+                    out.push_str(end.unwrap_or_default());
+                    has_factor = true;
+                } else {
+                    length = rest.find(|c: char| !is_of_name(c)).unwrap_or(rest.len());
+                    let name = &rest[..length];
+                    if FUNCTIONS.contains(&name) {
+                        let after = &rest[length..];
+                        let is_squared = after.starts_with('²');
+                        length += if is_squared { '²'.len_utf8() } else { 0 };
+                        length += usize::from(rest[length..].starts_with(' '));
+                        let has_parentheses = rest[length..].starts_with('(');
+                        closing = (!has_parentheses).then_some(if is_squared { ")²" } else { "" });
+                        out.push_str(if is_squared { "(" } else { "" });
+                    }
+                    out.push_str(name);
+                }
+            }
+            letter => {
+                out.push(letter);
+                has_factor = letter.is_numeric();
+            }
+        }
+        rest = &rest[length..];
     }
     out
 }
 
-fn one(fields: &[&str], units: Units) -> Option<String> {
-    Some(match *fields {
-        ["n", value, unit] => {
-            let (size, unit) = units.coherent(unit);
-            bracketed(with_unit(value.parse::<f64>().ok()? / size, unit))
+fn begins_factor(letter: char) -> bool {
+    letter.is_alphanumeric() || matches!(letter, '(' | '[' | '{' | '|' | '√')
+}
+
+/// Whether a letter continues the name of a symbol. The square follows it.
+fn is_of_name(letter: char) -> bool {
+    letter != '²' && (letter.is_alphanumeric() || matches!(letter, '_' | '\''))
+}
+
+/// The longest symbol with which a text begins, and what it stands for: `u_t,rest` is not `u_t`.
+fn meaning<'a>(text: &str, known: &'a Known, own: &'a Known) -> Option<(&'a str, Amount)> {
+    let ends = |rest: &str| {
+        let mut letters = rest.chars();
+        match letters.next() {
+            Some(',') => !letters.next().is_some_and(is_of_name),
+            next => !next.is_some_and(is_of_name),
         }
-        ["p", value, unit] => {
-            let (size, unit) = units.coherent(unit);
-            format!("({})", with_unit(value.parse::<f64>().ok()? / size, unit))
-        }
-        ["c", number, own, factor, unit] => {
-            let (size, unit) = units.coherent(unit);
-            let number = bracketed(with_unit(number.parse().ok()?, own));
-            match factor.parse::<f64>().ok()? / size {
-                same if is_one(same) => number,
-                factor => {
-                    let own = if own.contains('·') { format!("({own})") } else { own.to_owned() };
-                    format!("{number} · {}", bracketed(with_unit(factor, &format!("{unit}/{own}"))))
-                }
-            }
-        }
-        ["u", unit] => units.coherent(unit).1.to_owned(),
-        _ => return None,
-    })
+    };
+    let symbols =
+        known.iter().chain(own).filter(|(symbol, _)| text.strip_prefix(&**symbol).is_some_and(ends));
+    symbols.max_by_key(|(symbol, _)| symbol.len()).map(|(symbol, amount)| (&**symbol, *amount))
 }
 
 /// Whether a number of the file needs no conversion.
@@ -159,4 +224,48 @@ fn superscript(exponent: &str) -> String {
             None => '⁻',
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Known, angle, filled, n};
+    use crate::units::Units;
+
+    /// No-break spaces, which keep a number and its unit together, are written as `~` here.
+    #[test]
+    fn symbols_give_way_to_numbers() {
+        let known: Known = [
+            ("m_1", n(1500.0, "kg")),
+            ("u", n(9.0, "m/s")),
+            ("u_t", n(-2.0, "m/s")),
+            ("u_t,rest", n(3.0, "m/s")),
+            ("k_1", n(1.5, "m")),
+            ("E'", n(8.0, "J")),
+            ("E", n(7.0, "J")),
+            ("det K", n(0.5, "1/kg²")),
+            ("θ_1", angle(-std::f64::consts::FRAC_PI_2)),
+            ("Γ", n(30.0, "°")),
+        ]
+        .map(|(symbol, amount)| (symbol.to_owned(), amount))
+        .to_vec();
+        let own: Known = vec![("u".to_owned(), n(4.0, "m/s")), ("k_1²".to_owned(), n(6.0, "m²"))];
+        for (formula, numbers) in [
+            ("½ m_1 (u² + u_t²)", "½ · 1500~kg · ((4~m/s)² + (−2~m/s)²)"),
+            ("u_t,rest − u_t", "3~m/s − (−2~m/s)"),
+            ("√(2 E'/[m_1])/m_1", "√(2 · 8~J / (1500~kg)) / 1500~kg"),
+            ("u cos θ_1 + u_t sin (θ_1 + Γ)", "4~m/s · cos(−90~°) + (−2~m/s) · sin((−90~°) + 30~°)"),
+            ("1 + min(|tan Γ|, u) |tan Γ|", "1 + min(abs(tan(30~°)), 4~m/s) · abs(tan(30~°))"),
+            ("1 + tan² Γ", "1 + (tan(30~°))²"),
+            ("atan2(u sin Γ, −u)", "atan2(4~m/s · sin(30~°), −4~m/s)"),
+            ("[(1 + u) E]/det K", "((1 + 4~m/s) · 7~J) / 0.5~1/kg²"),
+            // A symbol with its square is one symbol, if there is a number for it.
+            ("m_1 k_1²", "1500~kg · 6~m²"),
+        ] {
+            assert_eq!(filled(formula, &known, &own, Units::Si).replace('\u{a0}', "~"), numbers, "{formula}");
+        }
+        assert_eq!(
+            filled("m_1 k_1²", &known, &Known::new(), Units::Si).replace('\u{a0}', "~"),
+            "1500~kg · (1.5~m)²"
+        );
+    }
 }

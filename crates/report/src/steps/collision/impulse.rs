@@ -2,40 +2,36 @@
 
 use pim_core::{Regime, Tangential};
 
-use super::super::{Step, angle, n, p, step};
+use super::super::numbers::Known;
+use super::super::{Draft, n, step};
 use super::Collision;
 
-/// P_n and P_t, each in symbols and in numbers.
-type Components = [(&'static str, String); 2];
+/// P_n and P_t under a law's condition, and symbols of that law.
+type Components = ([&'static str; 2], Known);
 
 impl Collision<'_> {
     /// e: a number of the file, or between two points of its curve.
-    fn restitution(&self) -> Step {
-        let e = self.impact.law.restitution();
-        let plain = |name: &str| step(name, "e").is(e, "", "input");
-        let Some(curve) = self.impact.given_law.curve() else { return plain("coefficient of restitution") };
+    fn restitution(&self) -> Draft {
+        let of = |name: &str, source: &'static str| {
+            let e = (self.impact.law.restitution(), "");
+            step(format!("coefficient of restitution{name}"), "e", e, source)
+        };
+        let Some(curve) = self.impact.given_law.curve() else { return of("", "input") };
         let normal = self.impact.outcome.approach.normal;
         let [Some((slow, e_slow)), Some((fast, e_fast))] = curve.around(-normal) else {
-            return plain("coefficient of restitution, at the nearer end of its curve");
+            return of(", at the nearer end of its curve", "input");
         };
-        step("coefficient of restitution, between two points (a, b) of its curve", "e")
-            .equals(
-                "e_a + (e_b − e_a) (−u_n − v_a)/(v_b − v_a)",
-                format!(
-                    "{} + ({} − {}) · (−{} − {}) / ({} − {})",
-                    n(e_slow, ""),
-                    n(e_fast, ""),
-                    n(e_slow, ""),
-                    p(normal, "m/s"),
-                    n(slow, "m/s"),
-                    n(fast, "m/s"),
-                    n(slow, "m/s")
-                ),
-            )
-            .is(e, "", "theory 3")
+        of(", between two points (a, b) of its curve", "theory 3")
+            .equals("e_a + (e_b − e_a) (−u_n − v_a)/(v_b − v_a)")
+            .with([
+                ("e_a", n(e_slow, "")),
+                ("e_b", n(e_fast, "")),
+                ("v_a", n(slow, "m/s")),
+                ("v_b", n(fast, "m/s")),
+            ])
     }
 
-    pub(super) fn impulse(&self) -> Vec<Step> {
+    pub(super) fn impulse(&self) -> Vec<Draft> {
         let mut steps = vec![self.restitution()];
         if self.impact.law.has_moment() {
             steps.extend(self.with_moment());
@@ -45,11 +41,18 @@ impl Collision<'_> {
             // The two components at once, if the law has a condition on U_t.
             let sliding = self.impact.outcome.regime == Some(Regime::Sliding);
             let components = match self.impact.law.tangential() {
-                Tangential::Restitution(e_t) => Some(self.by_restitution(e_t)),
+                Tangential::Restitution(e_t) => Some(by_restitution(e_t)),
                 Tangential::FullOrSliding(_) if !sliding => {
-                    Some(self.by_restitution(self.impact.law.restitution()))
+                    Some(by_restitution(self.impact.law.restitution()))
                 }
-                Tangential::VelocityChange(change) => Some(self.by_change(change)),
+                // U_n = −e u_n and U_t − u_t as given.
+                Tangential::VelocityChange(change) => Some((
+                    [
+                        "[−(1 + e) u_n k_tt − k_nt (U_t − u_t)]/det K",
+                        "[k_nn (U_t − u_t) + (1 + e) u_n k_nt]/det K",
+                    ],
+                    vec![("U_t − u_t".to_owned(), n(change, "m/s"))],
+                )),
                 Tangential::Critical
                 | Tangential::Ratio(_)
                 | Tangential::FractionOfCritical(_)
@@ -63,7 +66,9 @@ impl Collision<'_> {
                 }
                 None => {
                     steps.push(self.ratio_of_law(sliding));
-                    steps.extend(self.components(self.by_ratio()));
+                    // U_n = −e u_n and P_t = μ P_n.
+                    let by_ratio = ["−(1 + e) u_n/(k_nn + μ k_nt)", "μ P_n"];
+                    steps.extend(self.components((by_ratio, Known::new())));
                 }
             }
         }
@@ -72,191 +77,92 @@ impl Collision<'_> {
     }
 
     /// The impulse under a law with three conditions.
-    fn with_moment(&self) -> [Step; 3] {
+    fn with_moment(&self) -> [Draft; 3] {
         let outcome = &self.impact.outcome;
-        let solved = |name: &str, symbol: &str, value: f64, unit: &'static str| {
-            step(name, symbol).is(value, unit, "theory 3")
-        };
         [
-            solved(
+            (
                 "normal impulse on vehicle 1, by the law's three conditions",
                 "P_n",
                 outcome.impulse.normal,
                 "N·s",
             ),
-            solved("tangential impulse on vehicle 1, likewise", "P_t", outcome.impulse.tangential, "N·s"),
-            solved("moment impulse on vehicle 1, likewise", "M", outcome.moment_impulse, "N·m·s"),
+            ("tangential impulse on vehicle 1, likewise", "P_t", outcome.impulse.tangential, "N·s"),
+            ("moment impulse on vehicle 1, likewise", "M", outcome.moment_impulse, "N·m·s"),
         ]
+        .map(|(name, symbol, value, unit)| step(name, symbol, (value, unit), "theory 3"))
     }
 
-    fn critical_ratio(&self) -> Option<Step> {
-        let (e, k, u) =
-            (self.impact.law.restitution(), self.impact.contact.inverse_mass(), self.impact.outcome.approach);
+    fn critical_ratio(&self) -> Option<Draft> {
         let critical = self.impact.outcome.critical_impulse_ratio?;
         Some(
-            step("critical impulse ratio, which ends the sliding", "μ_c")
-                .equals(
-                    "[(1 + e) u_n k_nt − u_t k_nn]/[u_t k_nt − (1 + e) u_n k_tt]",
-                    format!(
-                        "((1 + {0}) · {1} · {2} − {3} · {4}) / ({3} · {2} − (1 + {0}) · {1} · {5})",
-                        n(e, ""),
-                        n(u.normal, "m/s"),
-                        n(k.nt, "1/kg"),
-                        n(u.tangential, "m/s"),
-                        n(k.nn, "1/kg"),
-                        n(k.tt, "1/kg")
-                    ),
-                )
-                .is(critical, "", "theory 3"),
+            step("critical impulse ratio, which ends the sliding", "μ_c", (critical, ""), "theory 3")
+                .equals("[(1 + e) u_n k_nt − u_t k_nn]/[u_t k_nt − (1 + e) u_n k_tt]"),
         )
     }
 
     /// P_n and P_t from the conditions of the law.
-    fn components(&self, [normal, along]: Components) -> [Step; 2] {
+    fn components(&self, ([normal, along], own): Components) -> [Draft; 2] {
         let impulse = self.impact.outcome.impulse;
         [("normal", "P_n", normal, impulse.normal), ("tangential", "P_t", along, impulse.tangential)].map(
-            |(axis, symbol, (formula, numbers), value)| {
+            |(axis, symbol, formula, value)| {
                 let name = format!("{axis} impulse on vehicle 1");
-                step(name, symbol).equals(formula, numbers).is(value, "N·s", "theory 3")
+                step(name, symbol, (value, "N·s"), "theory 3").equals(formula).with(own.clone())
             },
         )
     }
 
-    /// U_n = −e u_n and U_t = −e_t u_t.
-    fn by_restitution(&self, e_t: f64) -> Components {
-        let (k, u) = (self.impact.contact.inverse_mass(), self.impact.outcome.approach);
-        let (e, e_t) = (n(self.impact.law.restitution(), ""), n(e_t, ""));
-        let (u_n, u_t) = (n(u.normal, "m/s"), n(u.tangential, "m/s"));
-        let [nn, nt, tt] = [k.nn, k.nt, k.tt].map(|entry| n(entry, "1/kg"));
-        let det = n(k.determinant(), "1/kg²");
-        [
-            (
-                "[(1 + e_t) u_t k_nt − (1 + e) u_n k_tt]/det K",
-                format!("((1 + {e_t}) · {u_t} · {nt} − (1 + {e}) · {u_n} · {tt}) / {det}"),
-            ),
-            (
-                "[(1 + e) u_n k_nt − (1 + e_t) u_t k_nn]/det K",
-                format!("((1 + {e}) · {u_n} · {nt} − (1 + {e_t}) · {u_t} · {nn}) / {det}"),
-            ),
-        ]
-    }
-
-    /// U_n = −e u_n and U_t − u_t as given.
-    fn by_change(&self, change: f64) -> Components {
-        let k = self.impact.contact.inverse_mass();
-        let (e, u_n) = (n(self.impact.law.restitution(), ""), n(self.impact.outcome.approach.normal, "m/s"));
-        let (change, det) = (n(change, "m/s"), n(k.determinant(), "1/kg²"));
-        let [nn, nt, tt] = [k.nn, k.nt, k.tt].map(|entry| n(entry, "1/kg"));
-        [
-            (
-                "[−(1 + e) u_n k_tt − k_nt (U_t − u_t)]/det K",
-                format!("((−1) · (1 + {e}) · {u_n} · {tt} − {nt} · {change}) / {det}"),
-            ),
-            (
-                "[k_nn (U_t − u_t) + (1 + e) u_n k_nt]/det K",
-                format!("({nn} · {change} + (1 + {e}) · {u_n} · {nt}) / {det}"),
-            ),
-        ]
-    }
-
-    /// U_n = −e u_n and P_t = μ P_n.
-    fn by_ratio(&self) -> Components {
-        let (k, outcome) = (self.impact.contact.inverse_mass(), &self.impact.outcome);
-        let mu = n(outcome.impulse_ratio, "");
-        let normal = format!(
-            "(−1) · (1 + {}) · {} / ({} + {mu} · {})",
-            n(self.impact.law.restitution(), ""),
-            n(outcome.approach.normal, "m/s"),
-            n(k.nn, "1/kg"),
-            n(k.nt, "1/kg")
-        );
-        [
-            ("−(1 + e) u_n/(k_nn + μ k_nt)", normal),
-            ("μ P_n", format!("{mu} · {}", n(outcome.impulse.normal, "N·s"))),
-        ]
-    }
-
     /// μ under a law that gives it, or its limit.
-    fn ratio_of_law(&self, sliding: bool) -> Step {
+    fn ratio_of_law(&self, sliding: bool) -> Draft {
         let outcome = &self.impact.outcome;
-        // Without sliding that a push can end there is no μ_c, and no tangential impulse.
-        let critical =
-            outcome.critical_impulse_ratio.map_or_else(|| "none".to_owned(), |critical| n(critical, ""));
-        let (formula, numbers) = match self.impact.law.tangential() {
-            Tangential::FractionOfCritical(f) => ("f μ_c", format!("{} · {critical}", n(f, ""))),
-            Tangential::Friction(_) | Tangential::FullOrSliding(_) if sliding => ("", String::new()),
-            Tangential::Ratio(_) => ("", String::new()),
-            _ => ("μ_c", critical),
+        let mut own = None;
+        let formula = match self.impact.law.tangential() {
+            // Without sliding that a push can end there is no μ_c, and no tangential impulse.
+            _ if outcome.critical_impulse_ratio.is_none() => "",
+            Tangential::FractionOfCritical(f) => {
+                own = Some(("f", n(f, "")));
+                "f μ_c"
+            }
+            Tangential::Friction(_) | Tangential::FullOrSliding(_) if sliding => "",
+            Tangential::Ratio(_) => "",
+            _ => "μ_c",
         };
         let name =
             if sliding { "impulse ratio: the friction limit, against the sliding" } else { "impulse ratio" };
-        step(name, "μ").equals(formula, numbers).is(outcome.impulse_ratio, "", "theory 3")
+        step(name, "μ", (outcome.impulse_ratio, ""), "theory 3").equals(formula).with(own)
     }
 
-    fn ratio(&self) -> Step {
-        let outcome = &self.impact.outcome;
-        let p_ = outcome.impulse;
-        step("impulse ratio", "μ")
-            .equals("P_t/P_n", format!("{} / {}", n(p_.tangential, "N·s"), n(p_.normal, "N·s")))
-            .is(outcome.impulse_ratio, "", "theory 3")
+    fn ratio(&self) -> Draft {
+        let ratio = (self.impact.outcome.impulse_ratio, "");
+        step("impulse ratio", "μ", ratio, "theory 3").equals("P_t/P_n")
     }
 
-    fn separation(&self) -> Vec<Step> {
-        let (impact, outcome) = (self.impact, &self.impact.outcome);
-        let (k, u, p_, after) =
-            (impact.contact.inverse_mass(), outcome.approach, outcome.impulse, outcome.separation);
-        let moment = |coefficient: f64, name: &str| {
-            if impact.law.has_moment() {
-                (
-                    format!(" + {name} M"),
-                    format!(" + {} · {}", n(coefficient, "1/(kg·m)"), n(outcome.moment_impulse, "N·m·s")),
-                )
-            } else {
-                (String::new(), String::new())
-            }
-        };
-        let row = |axis: &str,
-                   before: f64,
-                   [along_n, along_t]: [f64; 2],
-                   names: [&str; 2],
-                   (formula, numbers): (String, String),
-                   value: f64| {
-            step(format!("relative velocity at C along {axis}, after"), format!("U_{axis}"))
-                .equals(
-                    format!("u_{axis} + {} P_n + {} P_t{formula}", names[0], names[1]),
-                    format!(
-                        "{} + {} · {} + {} · {}{numbers}",
-                        n(before, "m/s"),
-                        n(along_n, "1/kg"),
-                        n(p_.normal, "N·s"),
-                        n(along_t, "1/kg"),
-                        n(p_.tangential, "N·s")
-                    ),
-                )
-                .is(value, "m/s", "theory 2")
-        };
-        vec![
-            row("n", u.normal, [k.nn, k.nt], ["k_nn", "k_nt"], moment(k.nm, "k_nm"), after.normal),
-            row("t", u.tangential, [k.nt, k.tt], ["k_nt", "k_tt"], moment(k.tm, "k_tm"), after.tangential),
-        ]
+    fn separation(&self) -> [Draft; 2] {
+        let (has_moment, after) = (self.impact.law.has_moment(), self.impact.outcome.separation);
+        [("n", "k_nn P_n + k_nt P_t", after.normal), ("t", "k_nt P_n + k_tt P_t", after.tangential)].map(
+            |(axis, push, value)| {
+                let moment = if has_moment { format!(" + k_{axis}m M") } else { String::new() };
+                let name = format!("relative velocity at C along {axis}, after");
+                step(name, format!("U_{axis}"), (value, "m/s"), "theory 2")
+                    .equals(format!("u_{axis} + {push}{moment}"))
+            },
+        )
     }
 
-    pub(super) fn impulse_in_scene(&self) -> Vec<Step> {
-        let (outcome, gamma) = (&self.impact.outcome, self.gamma);
-        let (p_, vector) = (outcome.impulse, outcome.impulse_vector);
-        let row = |axis: &str, sign: char, [of_normal, of_tangential]: [&str; 2], value: f64| {
-            step(format!("impulse on vehicle 1 along {axis}"), format!("P_{axis}"))
-                .equals(
-                    format!("P_n {of_normal} Γ {sign} P_t {of_tangential} Γ"),
-                    format!(
-                        "{} · {of_normal}{2} {sign} {} · {of_tangential}{2}",
-                        n(p_.normal, "N·s"),
-                        n(p_.tangential, "N·s"),
-                        angle(gamma)
-                    ),
-                )
-                .is(value, "N·s", "theory 1")
-        };
-        vec![row("x", '−', ["cos", "sin"], vector.x), row("y", '+', ["sin", "cos"], vector.y)]
+    pub(super) fn impulse_in_scene(&self) -> Vec<Draft> {
+        let vector = self.impact.outcome.impulse_vector;
+        [("x", "P_n cos Γ − P_t sin Γ", vector.x), ("y", "P_n sin Γ + P_t cos Γ", vector.y)]
+            .map(|(axis, formula, value)| {
+                let name = format!("impulse on vehicle 1 along {axis}");
+                step(name, format!("P_{axis}"), (value, "N·s"), "theory 1").equals(formula)
+            })
+            .into()
     }
+}
+
+/// U_n = −e u_n and U_t = −e_t u_t.
+fn by_restitution(e_t: f64) -> Components {
+    (
+        ["[(1 + e_t) u_t k_nt − (1 + e) u_n k_tt]/det K", "[(1 + e) u_n k_nt − (1 + e_t) u_t k_nn]/det K"],
+        vec![("e_t".to_owned(), n(e_t, ""))],
+    )
 }

@@ -3,24 +3,26 @@
 use case::{Axes, Velocity};
 use pim_core::{Contact, Motion, VehicleId};
 
-use super::super::{Step, angle, course, heading, n, p, step};
+use super::super::numbers::{Amount, Known};
+use super::super::{Draft, angle, course, n, step};
 use super::Collision;
 
 impl Collision<'_> {
-    pub(super) fn approach(&self) -> Vec<Step> {
+    pub(super) fn approach(&self) -> Vec<Draft> {
         let outcome = &self.impact.outcome;
         let u = outcome.approach;
-        let mut steps: Vec<Step> = self.moving().flat_map(|(k, ..)| self.before(k)).collect();
+        let mut steps: Vec<Draft> = self.moving().flat_map(|k| self.before(k)).collect();
         for (axis, value) in [("n", u.normal), ("t", u.tangential)] {
-            let (formula, numbers) = self.relative(axis, &outcome.before);
             let name = format!("relative velocity at C along {axis}");
-            steps.push(step(name, format!("u_{axis}")).equals(formula, numbers).is(value, "m/s", "theory 1"));
+            let (formula, own) = self.relative(axis, &outcome.before);
+            let relative = step(name, format!("u_{axis}"), (value, "m/s"), "theory 1");
+            steps.push(relative.equals(formula).with(own));
         }
         steps
     }
 
     /// The motion of a vehicle before the impact.
-    fn before(&self, k: VehicleId) -> Vec<Step> {
+    fn before(&self, k: VehicleId) -> Vec<Draft> {
         let before = self.impact.outcome.before[k.index()];
         let both = self.analysis.both.as_ref().map(|both| both.speeds[k.index()]);
         let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[k.index()].motion) {
@@ -29,159 +31,123 @@ impl Collision<'_> {
             (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
             _ => None,
         };
-        let (theta, symbol_of_course) = course(self.case, k);
-        let theta = angle(theta);
+        let (_, course) = course(self.case, k);
         let mut steps = Vec::new();
         for (axis, function, value) in [("x", "cos", before.velocity.x), ("y", "sin", before.velocity.y)] {
-            let (name, symbol) = (format!("velocity of vehicle {k} along {axis}"), format!("v_{k}{axis}"));
+            let of = |source: &'static str| {
+                let name = format!("velocity of vehicle {k} along {axis}");
+                step(name, format!("v_{k}{axis}"), (value, "m/s"), source)
+            };
             steps.push(match speed {
-                Some(s) => step(name, symbol)
-                    .equals(
-                        format!("s_{k} {function} {symbol_of_course}"),
-                        format!("{} · {function}{theta}", n(s, "m/s")),
-                    )
-                    .is(value, "m/s", "theory 1"),
-                None => step(name, symbol).is(value, "m/s", "input"),
+                Some(speed) => of("theory 1")
+                    .equals(format!("s_{k} {function} {course}"))
+                    .with([(format!("s_{k}"), n(speed, "m/s"))]),
+                None => of("input"),
             });
         }
         if before.yaw_rate != 0.0 {
             let name = format!("yaw rate of vehicle {k}");
-            steps.push(step(name, format!("ω_{k}")).is(before.yaw_rate, "rad/s", "input"));
+            steps.push(step(name, format!("ω_{k}"), (before.yaw_rate, "rad/s"), "input"));
         }
         steps
     }
 
-    /// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in symbols and in numbers.
-    pub(super) fn relative(&self, axis: &str, motions: &[Motion; 2]) -> (String, String) {
-        let moving: Vec<VehicleId> = self.moving().map(|(k, ..)| k).collect();
+    /// The velocity of vehicle 1 relative to vehicle 2 at C along n or t.
+    pub(super) fn relative(&self, axis: &str, motions: &[Motion; 2]) -> (String, Known) {
+        let moving: Vec<VehicleId> = self.moving().collect();
         relative(axis, ["v", "ω"], &self.impact.contact, &moving, motions)
     }
 
     /// The motion of a vehicle after the impact, its ΔV and PDOF; empty for a fixed object.
-    pub(super) fn motion(&self, k: VehicleId) -> Vec<Step> {
-        let Some((mass, inertia)) = self.inertia[k.index()] else { return Vec::new() };
-        let mut steps = self.velocity_after(k, mass).to_vec();
-        steps.push(self.yaw_rate_after(k, inertia));
-        let vector = self.impact.outcome.impulse_vector;
-        steps.push(
-            step(format!("velocity change of vehicle {k}"), format!("ΔV_{k}"))
-                .equals(
-                    format!("√(P_x² + P_y²)/m_{k}"),
-                    format!("√({}² + {}²) / {}", p(vector.x, "N·s"), p(vector.y, "N·s"), n(mass, "kg")),
-                )
-                .is(self.impact.outcome.delta_v_magnitude()[k.index()], "m/s", "theory 2"),
-        );
-        steps.push(self.pdof(k));
-        steps
-    }
-
-    /// The sign of the impulse on a vehicle: vehicle 2 takes −P.
-    fn sign(k: VehicleId) -> &'static str {
-        match k {
-            VehicleId::One => "+",
-            VehicleId::Two => "−",
+    pub(super) fn motion(&self, k: VehicleId) -> Vec<Draft> {
+        let (outcome, i) = (&self.impact.outcome, k.index());
+        if !self.has_inertia[i] {
+            return Vec::new();
         }
-    }
-
-    fn velocity_after(&self, k: VehicleId, mass: f64) -> [Step; 2] {
-        let (outcome, sign, i) = (&self.impact.outcome, Self::sign(k), k.index());
-        let (before, after, impulse) =
-            (outcome.before[i].velocity, outcome.after[i].velocity, outcome.impulse_vector);
-        [("x", before.x, impulse.x, after.x), ("y", before.y, impulse.y, after.y)].map(
-            |(axis, v, impulse, value)| {
-                step(format!("velocity of vehicle {k} along {axis}, after"), format!("V_{k}{axis}"))
-                    .equals(
-                        format!("v_{k}{axis} {sign} P_{axis}/m_{k}"),
-                        format!("{} {sign} {} / {}", n(v, "m/s"), n(impulse, "N·s"), n(mass, "kg")),
-                    )
-                    .is(value, "m/s", "theory 2")
-            },
-        )
-    }
-
-    fn yaw_rate_after(&self, k: VehicleId, inertia: f64) -> Step {
-        let (outcome, sign, i) = (&self.impact.outcome, Self::sign(k), k.index());
-        let (impulse, arm) = (outcome.impulse, self.impact.contact.arms()[i]);
-        let (moment, moment_number) = if outcome.moment_impulse == 0.0 {
-            ("", String::new())
-        } else {
-            (" + M", format!(" + {}", n(outcome.moment_impulse, "N·m·s")))
+        let after = outcome.after[i];
+        // Vehicle 2 takes −P.
+        let sign = if k == VehicleId::One { "+" } else { "−" };
+        let velocity = |axis: &str, value: f64| {
+            let name = format!("velocity of vehicle {k} along {axis}, after");
+            step(name, format!("V_{k}{axis}"), (value, "m/s"), "theory 2")
+                .equals(format!("v_{k}{axis} {sign} P_{axis}/m_{k}"))
         };
-        step(format!("yaw rate of vehicle {k}, after"), format!("Ω_{k}"))
-            .equals(
-                format!("ω_{k} {sign} (r_{k}n P_t − r_{k}t P_n{moment})/I_{k}"),
-                format!(
-                    "{} {sign} ({} · {} − {} · {}{moment_number}) / {}",
-                    n(outcome.before[i].yaw_rate, "rad/s"),
-                    n(arm.normal, "m"),
-                    n(impulse.tangential, "N·s"),
-                    n(arm.tangential, "m"),
-                    n(impulse.normal, "N·s"),
-                    n(inertia, "kg·m²")
-                ),
+        let moment = if outcome.moment_impulse == 0.0 { "" } else { " + M" };
+        let change = (outcome.delta_v_magnitude()[i], "m/s");
+        vec![
+            velocity("x", after.velocity.x),
+            velocity("y", after.velocity.y),
+            step(
+                format!("yaw rate of vehicle {k}, after"),
+                format!("Ω_{k}"),
+                (after.yaw_rate, "rad/s"),
+                "theory 2",
             )
-            .is(outcome.after[i].yaw_rate, "rad/s", "theory 2")
-    }
-
-    fn pdof(&self, k: VehicleId) -> Step {
-        let vector = self.impact.outcome.impulse_vector;
-        let (theta, x, y) = (angle(heading(self.case, k)), n(vector.x, "N·s"), n(vector.y, "N·s"));
-        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: the relevant component is the one to
-        // the left, which in z-down axes is −y.
-        let (left, left_numbers) = if (k == VehicleId::One) == (self.case.axes == Axes::ZUp) {
-            (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
-        } else {
-            (format!("P_x sin θ_{k} − P_y cos θ_{k}"), format!("{x} · sin{theta} − {y} · cos{theta}"))
-        };
-        let (behind, behind_numbers) = if k == VehicleId::One {
-            (format!("−P_x cos θ_{k} − P_y sin θ_{k}"), format!("(−1) · {x} · cos{theta} − {y} · sin{theta}"))
-        } else {
-            (format!("P_x cos θ_{k} + P_y sin θ_{k}"), format!("{x} · cos{theta} + {y} · sin{theta}"))
-        };
-        step(
-            format!("principal direction of force on vehicle {k}, clockwise from its heading"),
-            format!("PDOF_{k}"),
-        )
-        .equals(format!("atan2({left}, {behind})"), format!("atan2({left_numbers}, {behind_numbers})"))
-        .is(self.impact.pdof[k.index()].to_degrees(), "°", "theory 4")
+            .equals(format!("ω_{k} {sign} (r_{k}n P_t − r_{k}t P_n{moment})/I_{k}"))
+            .with(yaw_rates("ω", &outcome.before)),
+            step(format!("velocity change of vehicle {k}"), format!("ΔV_{k}"), change, "theory 2")
+                .equals(format!("√(P_x² + P_y²)/m_{k}")),
+            pdof(k, "P_", k == VehicleId::One, self.case.axes, self.impact.pdof[i]),
+        ]
     }
 }
 
+/// The PDOF (rad) of a vehicle, from a vector along the force on it or, unless `is_along`, against it.
+pub(in super::super) fn pdof(k: VehicleId, vector: &str, is_along: bool, axes: Axes, value: f64) -> Draft {
+    let [x, y] = ["x", "y"].map(|axis| format!("{vector}{axis}"));
+    // A PDOF is clockwise in any axes: the relevant component is the one to the left, which in z-down axes is
+    // −y.
+    let left = if is_along == (axes == Axes::ZUp) {
+        format!("{y} cos θ_{k} − {x} sin θ_{k}")
+    } else {
+        format!("{x} sin θ_{k} − {y} cos θ_{k}")
+    };
+    let behind = if is_along {
+        format!("−{x} cos θ_{k} − {y} sin θ_{k}")
+    } else {
+        format!("{x} cos θ_{k} + {y} sin θ_{k}")
+    };
+    let name = format!("principal direction of force on vehicle {k}, clockwise from its heading");
+    step(name, format!("PDOF_{k}"), (value.to_degrees(), "°"), "theory 4")
+        .equals(format!("atan2({left}, {behind})"))
+}
+
+/// The yaw rates in the given symbol; one that is zero has no step.
+pub(in super::super) fn yaw_rates(symbol: &str, motions: &[Motion; 2]) -> Known {
+    let of = |k: VehicleId| (format!("{symbol}_{k}"), n(motions[k.index()].yaw_rate, "rad/s"));
+    VehicleId::ALL.map(of).to_vec()
+}
+
 /// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in the given symbols of the velocities
-/// and yaw rates, and in numbers.
+/// and yaw rates, and what these stand for.
 pub(in super::super) fn relative(
     axis: &str,
     [v, w]: [&str; 2],
     contact: &Contact,
     moving: &[VehicleId],
     motions: &[Motion; 2],
-) -> (String, String) {
-    let (gamma, arms) = (angle(contact.normal_angle()), contact.arms());
-    let (mut formula, mut numbers) = (String::new(), String::new());
+) -> (String, Known) {
+    let mut formula = String::new();
+    let mut own: Vec<(String, Amount)> = vec![("Γ".to_owned(), angle(contact.normal_angle()))];
+    own.extend(yaw_rates(w, motions));
     for &k in moving {
-        let (Motion { velocity, yaw_rate, .. }, arm) = (motions[k.index()], arms[k.index()]);
-        let (x, y) = (n(velocity.x, "m/s"), n(velocity.y, "m/s"));
-        let (symbols, along, turning) = match axis {
-            "n" => (
-                format!("({v}_{k}x cos Γ + {v}_{k}y sin Γ − {w}_{k} r_{k}t)"),
-                format!("{x} · cos{gamma} + {y} · sin{gamma}"),
-                format!(" − {} · {}", n(yaw_rate, "rad/s"), n(arm.tangential, "m")),
-            ),
-            _ => (
-                format!("({v}_{k}y cos Γ − {v}_{k}x sin Γ + {w}_{k} r_{k}n)"),
-                format!("{y} · cos{gamma} − {x} · sin{gamma}"),
-                format!(" + {} · {}", n(yaw_rate, "rad/s"), n(arm.normal, "m")),
-            ),
-        };
-        let turning = if yaw_rate == 0.0 { "" } else { &turning };
+        let (velocity, arm) = (motions[k.index()].velocity, contact.arms()[k.index()]);
+        own.extend([
+            (format!("{v}_{k}x"), n(velocity.x, "m/s")),
+            (format!("{v}_{k}y"), n(velocity.y, "m/s")),
+            (format!("r_{k}n"), n(arm.normal, "m")),
+            (format!("r_{k}t"), n(arm.tangential, "m")),
+        ]);
         // Vehicle 1 relative to vehicle 2.
-        let lead = match (k, numbers.is_empty()) {
+        formula.push_str(match (k, formula.is_empty()) {
             (VehicleId::One, _) => "",
-            (_, true) => "−",
-            (_, false) => " − ",
-        };
-        formula.push_str(&format!("{lead}{symbols}"));
-        numbers.push_str(&format!("{lead}({along}{turning})"));
+            (VehicleId::Two, true) => "−",
+            (VehicleId::Two, false) => " − ",
+        });
+        formula.push_str(&match axis {
+            "n" => format!("({v}_{k}x cos Γ + {v}_{k}y sin Γ − {w}_{k} r_{k}t)"),
+            _ => format!("({v}_{k}y cos Γ − {v}_{k}x sin Γ + {w}_{k} r_{k}n)"),
+        });
     }
-    (formula, numbers)
+    (formula, own)
 }

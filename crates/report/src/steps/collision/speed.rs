@@ -2,317 +2,177 @@
 
 use analysis::Found;
 use case::Basis;
-use pim_core::{Law, Tangential, Vector2, VehicleId};
-use reconcile::{AffineImpact, ApproachLine, Quadratic};
+use pim_core::{Tangential, Vector2, VehicleId};
+use reconcile::{AffineImpact, Quadratic};
 
-use super::super::{Step, angle, heading, n, p, step};
+use super::super::numbers::Known;
+use super::super::{Draft, n, step};
 use super::Collision;
 
-/// A coefficient in symbols and in numbers.
-type Written = (&'static str, String);
-
-/// The normal impulse P_n = α x + β over the approach speed.
-struct Push {
-    alpha: Written,
-    /// `None` if β is zero for every approach speed.
-    beta: Option<Written>,
-}
-
-/// The further terms for a share of the tangential work: P_t = α_t x + β_t and u_t + U_t = η x + ζ.
-struct Slide {
-    alpha: Written,
-    /// `None` if β_t is zero for every approach speed.
-    beta: Option<Written>,
-    eta: Written,
-    zeta: Written,
+/// A law whose closed form the report writes out.
+struct ClosedForm {
+    /// P_n = α x + β over the approach speed x; β may be zero for every approach speed.
+    alpha: &'static str,
+    beta: Option<&'static str>,
+    /// The same for P_t, where a share of the tangential work counts.
+    alpha_t: &'static str,
+    beta_t: Option<&'static str>,
+    /// u_t + U_t = η x + ζ.
+    eta: &'static str,
+    zeta: &'static str,
+    /// The coefficients of the law.
+    own: Known,
 }
 
 impl Collision<'_> {
     /// The speed found: in closed form if the reader can follow that, else as a value that the work of the
     /// normal impulse below confirms.
-    pub(super) fn speed(&self, found: &Found) -> Vec<Step> {
-        let unsolved = || vec![self.solved(found, "", String::new())];
-        let Some(quadratic) = &found.quadratic else { return unsolved() };
+    pub(super) fn speed(&self, found: &Found) -> Vec<Draft> {
+        let k = found.unknown;
+        let solved =
+            step(format!("speed of vehicle {k}, found"), format!("s_{k}"), (found.speed, "m/s"), "theory 6");
+        let Some((quadratic, law)) = found.quadratic.as_ref().zip(self.closed_form()) else {
+            return vec![solved];
+        };
         // With α > 0 and c > 0, only the root with the sign used below is positive.
         if found.admissible.len() != 1 || quadratic.alpha <= 0.0 || quadratic.c <= 0.0 {
-            return unsolved();
+            return vec![solved];
         }
-        let line = &found.line;
-        let Some(push) = self.push(line) else { return unsolved() };
-        let share = match self.analysis.basis {
-            Basis::TangentialShare(share) if share != 0.0 => Some(share),
-            Basis::TangentialShare(_) | Basis::Dissipated | Basis::Absorbed => None,
-        };
-        let mut steps = self.slopes(found).to_vec();
-        steps.push(self.at_rest(found, "n", "u_n0", line.at_rest.normal));
-        if push.beta.is_some() || share.is_some() {
+        let share = matches!(self.analysis.basis, Basis::TangentialShare(share) if share != 0.0);
+        let mut steps: Vec<Draft> = self.slopes(found).into();
+        steps.push(self.at_rest(found, "n", "u_n0", found.line.at_rest.normal));
+        if law.beta.is_some() || share {
             steps.extend(self.tangential(found));
         }
-        match share {
-            None => steps.extend(self.normal_alone(found, quadratic, push)),
-            Some(share) => {
-                let Some(affine) = &found.affine_impact else { return unsolved() };
-                let Some(slide) = self.slide(line, affine) else { return unsolved() };
-                steps.extend(both_impulses(affine, push, slide));
-                steps.extend(self.with_share(found, quadratic, affine, share));
-            }
+        if share {
+            let Some(affine) = &found.affine_impact else { return vec![solved] };
+            steps.extend(with_share(quadratic, affine, &law));
+        } else {
+            steps.extend(normal_alone(quadratic, &law));
         }
-        steps.push(self.approach_speed(quadratic));
-        let x = -self.impact.outcome.approach.normal;
-        let numbers =
-            format!("−({} + {}) / {}", n(x, "m/s"), n(line.at_rest.normal, "m/s"), n(line.slope.normal, ""));
-        steps.push(self.solved(found, "−(x + u_n0)/c_n", numbers));
+        let x = (-self.impact.outcome.approach.normal, "m/s");
+        steps.push(
+            step("approach speed", "x", x, "theory 6")
+                .equals("[−β + √(β² + 4 α c)]/(2 α)")
+                .with([("β", n(quadratic.beta, "N·s"))]),
+        );
+        steps.push(solved.equals("−(x + u_n0)/c_n"));
         steps
     }
 
-    fn solved(&self, found: &Found, formula: &str, substitution: String) -> Step {
-        let k = found.unknown;
-        let speed = step(format!("speed of vehicle {k}, found"), format!("s_{k}"));
-        speed.equals(formula, substitution).is(found.speed, "m/s", "theory 6")
-    }
-
-    /// The law from which the closed form was solved.
-    fn acting_law(&self) -> Law {
+    /// The closed form of the law that acts; `None` for one that the report does not write out.
+    fn closed_form(&self) -> Option<ClosedForm> {
         let outcome = &self.impact.outcome;
-        self.impact.law.acting(outcome.regime, outcome.impulse_ratio)
-    }
-
-    /// `None` under a law whose closed form the report does not write out.
-    fn push(&self, line: &ApproachLine) -> Option<Push> {
-        let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
+        let law = self.impact.law.acting(outcome.regime, outcome.impulse_ratio);
         if law.has_moment() {
             return None;
         }
-        let (e, det) = (law.restitution(), n(k.determinant(), "1/kg²"));
-        // U_t = −e_t u_t
-        let e_t = match law.tangential() {
-            Tangential::Critical => 0.0,
-            Tangential::Restitution(e_t) => e_t,
-            Tangential::Ratio(mu) => {
-                let numbers = format!(
-                    "(1 + {}) / ({} + {} · {})",
-                    n(e, ""),
-                    n(k.nn, "1/kg"),
-                    n(mu, ""),
-                    n(k.nt, "1/kg")
-                );
-                return Some(Push { alpha: ("(1 + e)/(k_nn + μ k_nt)", numbers), beta: None });
-            }
+        let (symbol, coefficient) = match law.tangential() {
+            // U_t = −e_t u_t
+            Tangential::Critical => ("e_t", 0.0),
+            Tangential::Restitution(e_t) => ("e_t", e_t),
+            Tangential::Ratio(mu) => ("μ", mu),
             Tangential::FractionOfCritical(_)
             | Tangential::Friction(_)
             | Tangential::VelocityChange(_)
             | Tangential::FullOrSliding(_) => return None,
         };
-        let alpha = format!(
-            "({} · (1 + {}) + {} · (1 + {}) · {}) / {det}",
-            n(k.tt, "1/kg"),
-            n(e, ""),
-            n(k.nt, "1/kg"),
-            n(e_t, ""),
-            n(line.tangential_slope(), "")
-        );
-        let at_touch = n(line.tangential_at_zero_approach(), "m/s");
-        let beta = format!("{} · (1 + {}) · {at_touch} / {det}", n(k.nt, "1/kg"), n(e_t, ""));
-        Some(Push {
-            alpha: ("[k_tt (1 + e) + k_nt (1 + e_t) τ]/det K", alpha),
-            beta: Some(("k_nt (1 + e_t) u_t0/det K", beta)),
-        })
-    }
-
-    /// `None` under a law whose closed form the report does not write out.
-    fn slide(&self, line: &ApproachLine, affine: &AffineImpact) -> Option<Slide> {
-        let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
-        let e = law.restitution();
-        let (tau, at_touch) = (n(line.tangential_slope(), ""), n(line.tangential_at_zero_approach(), "m/s"));
-        // U_t = −e_t u_t
-        let e_t = match law.tangential() {
-            Tangential::Critical => 0.0,
-            Tangential::Restitution(e_t) => e_t,
-            Tangential::Ratio(mu) => {
-                let (mu, normal) = (n(mu, ""), n(affine.normal[1], "kg"));
-                return Some(Slide {
-                    alpha: ("μ α_n", format!("{mu} · {normal}")),
-                    beta: None,
-                    eta: (
-                        "2 τ + (k_nt + μ k_tt) α_n",
-                        format!("2 · {tau} + ({} + {mu} · {}) · {normal}", n(k.nt, "1/kg"), n(k.tt, "1/kg")),
-                    ),
-                    zeta: ("2 u_t0", format!("2 · {at_touch}")),
-                });
-            }
-            Tangential::FractionOfCritical(_)
-            | Tangential::Friction(_)
-            | Tangential::VelocityChange(_)
-            | Tangential::FullOrSliding(_) => return None,
-        };
-        let det = n(k.determinant(), "1/kg²");
-        let (e, e_t) = (n(e, ""), n(e_t, ""));
-        Some(Slide {
-            alpha: (
-                "−[k_nn (1 + e_t) τ + k_nt (1 + e)]/det K",
-                format!(
-                    "(−1) · ({} · (1 + {e_t}) · {tau} + {} · (1 + {e})) / {det}",
-                    n(k.nn, "1/kg"),
-                    n(k.nt, "1/kg")
-                ),
-            ),
-            beta: Some((
-                "−k_nn (1 + e_t) u_t0/det K",
-                format!("(−1) · {} · (1 + {e_t}) · {at_touch} / {det}", n(k.nn, "1/kg")),
-            )),
-            eta: ("(1 − e_t) τ", format!("(1 − {e_t}) · {tau}")),
-            zeta: ("(1 − e_t) u_t0", format!("(1 − {e_t}) · {at_touch}")),
+        let own = [("e", law.restitution()), (symbol, coefficient)];
+        let own = own.map(|(symbol, value)| (symbol.to_owned(), n(value, ""))).to_vec();
+        Some(match symbol {
+            "μ" => ClosedForm {
+                alpha: "(1 + e)/(k_nn + μ k_nt)",
+                beta: None,
+                alpha_t: "μ α_n",
+                beta_t: None,
+                eta: "2 τ + (k_nt + μ k_tt) α_n",
+                zeta: "2 u_t0",
+                own,
+            },
+            _ => ClosedForm {
+                alpha: "[k_tt (1 + e) + k_nt (1 + e_t) τ]/det K",
+                beta: Some("k_nt (1 + e_t) u_t0/det K"),
+                alpha_t: "−[k_nn (1 + e_t) τ + k_nt (1 + e)]/det K",
+                beta_t: Some("−k_nn (1 + e_t) u_t0/det K"),
+                eta: "(1 − e_t) τ",
+                zeta: "(1 − e_t) u_t0",
+                own,
+            },
         })
     }
 
     /// du/ds along n and t.
-    fn slopes(&self, found: &Found) -> [Step; 2] {
+    fn slopes(&self, found: &Found) -> [Draft; 2] {
         let (k, slope) = (found.unknown, found.line.slope);
         // u is vehicle 1 relative to vehicle 2.
         let minus = if k == VehicleId::One { "" } else { "−" };
-        let turn = format!("({} − {})", angle(heading(self.case, k)), angle(self.gamma));
         [("n", "cos", slope.normal), ("t", "sin", slope.tangential)].map(|(axis, function, value)| {
-            // A number and the minus before it share one pair of parentheses.
-            let numbers = if minus.is_empty() {
-                format!("{function}{turn}")
-            } else {
-                format!("(−1) · {function}{turn}")
-            };
-            step(format!("du_{axis}/ds"), format!("c_{axis}"))
-                .equals(format!("{minus}{function}(θ_{k} − Γ)"), numbers)
-                .is(value, "", "theory 6")
+            step(format!("du_{axis}/ds"), format!("c_{axis}"), (value, ""), "theory 6")
+                .equals(format!("{minus}{function}(θ_{k} − Γ)"))
         })
     }
 
     /// u along n or t at the speed zero.
-    fn at_rest(&self, found: &Found, axis: &str, symbol: &str, value: f64) -> Step {
+    fn at_rest(&self, found: &Found, axis: &str, symbol: &str, value: f64) -> Draft {
         let k = found.unknown;
         let mut motions = self.impact.outcome.before;
         motions[k.index()].velocity = Vector2::new(0.0, 0.0);
-        let (formula, numbers) = self.relative(axis, &motions);
+        let (formula, own) = self.relative(axis, &motions);
         let name = format!("u_{axis} with vehicle {k} at rest");
-        step(name, symbol).equals(formula, numbers).is(value, "m/s", "theory 1")
+        step(name, symbol, (value, "m/s"), "theory 1").equals(formula).with(own)
     }
 
     /// How u_t depends on the approach speed.
-    fn tangential(&self, found: &Found) -> [Step; 3] {
+    fn tangential(&self, found: &Found) -> [Draft; 3] {
         let line = &found.line;
-        let (at_rest, slope, tau) = (line.at_rest, line.slope, line.tangential_slope());
+        let (tau, at_touch) = (line.tangential_slope(), line.tangential_at_zero_approach());
         [
-            step("du_t/dx over the approach speed x = −u_n", "τ")
-                .equals("−c_t/c_n", format!("−{} / {}", p(slope.tangential, ""), n(slope.normal, "")))
-                .is(tau, "", "theory 6"),
-            self.at_rest(found, "t", "u_t,rest", at_rest.tangential),
-            step("u_t where the vehicles just touch, x = 0", "u_t0")
-                .equals(
-                    "u_t,rest + u_n0 τ",
-                    format!(
-                        "{} + {} · {}",
-                        n(at_rest.tangential, "m/s"),
-                        n(at_rest.normal, "m/s"),
-                        n(tau, "")
-                    ),
-                )
-                .is(line.tangential_at_zero_approach(), "m/s", "theory 6"),
+            step("du_t/dx over the approach speed x = −u_n", "τ", (tau, ""), "theory 6").equals("−c_t/c_n"),
+            self.at_rest(found, "t", "u_t,rest", line.at_rest.tangential),
+            step("u_t where the vehicles just touch, x = 0", "u_t0", (at_touch, "m/s"), "theory 6")
+                .equals("u_t,rest + u_n0 τ"),
         ]
-    }
-
-    /// α, β and c.
-    fn normal_alone(&self, found: &Found, quadratic: &Quadratic, push: Push) -> Vec<Step> {
-        let Quadratic { alpha, beta, c } = *quadratic;
-        let name = "P_n = α x + β";
-        let mut steps = vec![coefficient(name, "α", push.alpha, alpha, "kg")];
-        steps.extend(push.beta.map(|written| coefficient(name, "β", written, beta, "N·s")));
-        let e = self.impact.law.restitution();
-        steps.push(
-            step("W_n = ½ (1 − e) x P_n, so α x² + β x = c", "c")
-                .equals("2 W_n/(1 − e)", format!("2 · {} / (1 − {})", n(found.normal_work, "J"), n(e, "")))
-                .is(c, "J", "theory 6"),
-        );
-        steps
-    }
-
-    /// α, β and c, with the share λ of the tangential work.
-    fn with_share(
-        &self,
-        found: &Found,
-        quadratic: &Quadratic,
-        affine: &AffineImpact,
-        share: f64,
-    ) -> [Step; 3] {
-        let Quadratic { alpha, beta, c } = *quadratic;
-        let e = self.impact.law.restitution();
-        let AffineImpact { normal: [b_n, a_n], tangential: [b_t, a_t], sliding: [zeta, eta] } = *affine;
-        let (lambda, rest) = (n(share, ""), format!("(1 − {})", n(e, "")));
-        let (a_n, b_n, a_t, b_t) = (n(a_n, "kg"), n(b_n, "N·s"), n(a_t, "kg"), n(b_t, "N·s"));
-        let (eta, zeta) = (n(eta, ""), n(zeta, "m/s"));
-        let name = "W_n + λ W_t = ½ (1 − e) x P_n − ½ λ P_t (u_t + U_t), so α x² + β x = c";
-        [
-            coefficient(
-                name,
-                "α",
-                ("α_n − λ α_t η/(1 − e)", format!("{a_n} − {lambda} · {a_t} · {eta} / {rest}")),
-                alpha,
-                "kg",
-            ),
-            coefficient(
-                name,
-                "β",
-                (
-                    "β_n − λ (α_t ζ + β_t η)/(1 − e)",
-                    format!("{b_n} − {lambda} · ({a_t} · {zeta} + {b_t} · {eta}) / {rest}"),
-                ),
-                beta,
-                "N·s",
-            ),
-            coefficient(
-                name,
-                "c",
-                (
-                    "[2 (W_n + λ W_t) + λ β_t ζ]/(1 − e)",
-                    format!("(2 · {} + {lambda} · {b_t} · {zeta}) / {rest}", n(found.normal_work, "J")),
-                ),
-                c,
-                "J",
-            ),
-        ]
-    }
-
-    /// The approach speed that solves the quadratic.
-    fn approach_speed(&self, quadratic: &Quadratic) -> Step {
-        let Quadratic { alpha, beta, c } = *quadratic;
-        let (beta, alpha, c) = (p(beta, "N·s"), n(alpha, "kg"), n(c, "J"));
-        step("approach speed", "x")
-            .equals(
-                "[−β + √(β² + 4 α c)]/(2 α)",
-                format!("(−{beta} + √({beta}² + 4 · {alpha} · {c})) / (2 · {alpha})"),
-            )
-            .is(-self.impact.outcome.approach.normal, "m/s", "theory 6")
     }
 }
 
-fn coefficient(
-    name: &str,
-    symbol: &str,
-    (formula, numbers): Written,
-    value: f64,
-    unit: &'static str,
-) -> Step {
-    step(name, symbol).equals(formula, numbers).is(value, unit, "theory 6")
+fn coefficient(name: &str, symbol: &str, formula: &str, value: (f64, &'static str), own: &Known) -> Draft {
+    step(name, symbol, value, "theory 6").equals(formula).with(own.clone())
 }
 
-/// The impulse and the sliding over the approach speed.
-fn both_impulses(affine: &AffineImpact, push: Push, slide: Slide) -> Vec<Step> {
+/// α, β and c.
+fn normal_alone(quadratic: &Quadratic, law: &ClosedForm) -> Vec<Draft> {
+    let Quadratic { alpha, beta, c } = *quadratic;
+    let (name, own) = ("P_n = α x + β", &law.own);
+    let mut steps = vec![coefficient(name, "α", law.alpha, (alpha, "kg"), own)];
+    steps.extend(law.beta.map(|formula| coefficient(name, "β", formula, (beta, "N·s"), own)));
+    let name = "W_n = ½ (1 − e) x P_n, so α x² + β x = c";
+    steps.push(coefficient(name, "c", "2 W_n/(1 − e)", (c, "J"), own));
+    steps
+}
+
+/// The impulse and the sliding over the approach speed; then α, β and c, with the share λ of the tangential
+/// work.
+fn with_share(quadratic: &Quadratic, affine: &AffineImpact, law: &ClosedForm) -> Vec<Draft> {
     let AffineImpact { normal: [b_n, a_n], tangential: [b_t, a_t], sliding: [zeta, eta] } = *affine;
+    let mut own = law.own.clone();
+    own.extend([("β_n".to_owned(), n(b_n, "N·s")), ("β_t".to_owned(), n(b_t, "N·s"))]);
     let mut steps = Vec::new();
-    let name = "P_n = α_n x + β_n";
-    steps.push(coefficient(name, "α_n", push.alpha, a_n, "kg"));
-    steps.extend(push.beta.map(|written| coefficient(name, "β_n", written, b_n, "N·s")));
-    let name = "P_t = α_t x + β_t";
-    steps.push(coefficient(name, "α_t", slide.alpha, a_t, "kg"));
-    steps.extend(slide.beta.map(|written| coefficient(name, "β_t", written, b_t, "N·s")));
-    let name = "u_t + U_t = η x + ζ";
-    steps.push(coefficient(name, "η", slide.eta, eta, ""));
-    steps.push(coefficient(name, "ζ", slide.zeta, zeta, "m/s"));
+    for (name, symbol, formula, value) in [
+        ("P_n = α_n x + β_n", "α_n", Some(law.alpha), (a_n, "kg")),
+        ("P_n = α_n x + β_n", "β_n", law.beta, (b_n, "N·s")),
+        ("P_t = α_t x + β_t", "α_t", Some(law.alpha_t), (a_t, "kg")),
+        ("P_t = α_t x + β_t", "β_t", law.beta_t, (b_t, "N·s")),
+        ("u_t + U_t = η x + ζ", "η", Some(law.eta), (eta, "")),
+        ("u_t + U_t = η x + ζ", "ζ", Some(law.zeta), (zeta, "m/s")),
+    ] {
+        steps.extend(formula.map(|formula| coefficient(name, symbol, formula, value, &law.own)));
+    }
+    let Quadratic { alpha, beta, c } = *quadratic;
+    let name = "W_n + λ W_t = ½ (1 − e) x P_n − ½ λ P_t (u_t + U_t), so α x² + β x = c";
+    steps.extend([
+        coefficient(name, "α", "α_n − λ α_t η/(1 − e)", (alpha, "kg"), &own),
+        coefficient(name, "β", "β_n − λ (α_t ζ + β_t η)/(1 − e)", (beta, "N·s"), &own),
+        coefficient(name, "c", "[2 (W_n + λ W_t) + λ β_t ζ]/(1 − e)", (c, "J"), &own),
+    ]);
     steps
 }
