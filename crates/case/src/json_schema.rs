@@ -232,6 +232,7 @@ impl Generator {
                 Some(Kind::Quantity(dimension, bounds)) => object(json!({
                     "type": ["string", "array"],
                     "pattern": list_pattern(dimension, bounds, 1),
+                    "minItems": 1,
                     "maxItems": MOST_STATIONS,
                     "items": self.quantity(dimension, bounds),
                 })),

@@ -243,6 +243,7 @@ impl Input {
         let others = columns_kept(&schema)?;
         let kept = kept(&schema, keep, &others)?;
         let (of_batches, mut records, name) = (schema.clone(), reader.into_byte_records(), name.to_owned());
+        let mut marks = Marks::default();
         let batches = std::iter::from_fn(move || {
             let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); of_batches.fields().len()];
             let (mut faults, mut bytes) = (Vec::new(), 0);
@@ -257,7 +258,10 @@ impl Input {
                     let cell = record.get(place).and_then(|cell| std::str::from_utf8(cell).ok());
                     let cell = cell.filter(|cell| !cell.trim().is_empty());
                     column.push(cell.map(|cell| match has_decimal_commas && !others.contains(&place) {
-                        true => with_points(cell),
+                        true => {
+                            marks.see(&name, &record, cell);
+                            with_points(cell)
+                        }
                         false => cell.to_owned(),
                     }));
                 }
@@ -358,6 +362,41 @@ fn with_points(cell: &str) -> String {
     let pointed = cell.replace(',', ".");
     let is_numbers = pointed.split_whitespace().all(|word| read_number(word).is_some());
     if is_numbers { pointed } else { cell.to_owned() }
+}
+
+/// The decimal marks seen in a table whose numbers have decimal commas.
+#[derive(Default)]
+struct Marks {
+    has_comma: bool,
+    /// The place and text of the first number whose points may separate thousands.
+    grouped: Option<(u64, String)>,
+    is_told: bool,
+}
+
+impl Marks {
+    /// Looks at a cell. Warns once if the table has both decimal commas and what may be thousands: "1.651".
+    fn see(&mut self, name: &str, record: &csv::ByteRecord, cell: &str) {
+        for word in cell.split_whitespace() {
+            if word.contains(',') {
+                self.has_comma |= read_number(&word.replace(',', ".")).is_some();
+            } else if self.grouped.is_none()
+                && let Some((whole, thousands)) = word.split_once('.')
+                && whole.trim_start_matches('-').parse::<u16>().is_ok_and(|whole| (1..1000).contains(&whole))
+                && thousands.len() == 3
+                && thousands.bytes().all(|byte| byte.is_ascii_digit())
+            {
+                self.grouped = Some((record.position().map_or(0, csv::Position::line), word.to_owned()));
+            }
+        }
+        if let Some((line, word)) = self.grouped.as_ref().filter(|_| self.has_comma && !self.is_told) {
+            self.is_told = true;
+            note(&format!(
+                "warning: {name}:{line}: \"{word}\" is read with a decimal point, although other numbers of the \
+                 table have decimal commas; write {} if the point separates thousands",
+                word.replace('.', "")
+            ));
+        }
+    }
 }
 
 /// The fault of a row, with its place.

@@ -207,6 +207,25 @@ fn decimal_commas_are_read_between_semicolons() {
     assert!(column(&tabs.1, "help")[0].contains("10.5"), "{}", tabs.1);
 }
 
+/// "1.651" beside decimal commas may be 1651: the table says so once. Points or commas alone pass unremarked.
+#[test]
+fn points_beside_decimal_commas_are_remarked_once() {
+    let told = |rows: &str| {
+        let table = format!("vehicle2.weight [lb];vehicle2.speed [mph]\n{rows}");
+        let (_, _, messages) = of_csv("marks.csv", table.as_bytes());
+        messages.matches("is read with a decimal point").count()
+    };
+    assert_eq!(told("1.651;10,5\n2.651;10,5\n"), 1);
+    assert_eq!(told("1651;10,5\n1.651;10\n"), 1);
+    for quiet in ["1.651;10.5\n", "1651,5;10,5\n", "16.51;10,5\n", "0.651;10,5\n"] {
+        assert_eq!(told(quiet), 0, "{quiet}");
+    }
+    let (_, _, messages) =
+        of_csv("marks.csv", b"vehicle2.weight [lb];vehicle2.speed [mph]\n3100;10,5\n1.651;9\n");
+    assert!(messages.contains("marks.csv:3: \"1.651\" is read"), "{messages}");
+    assert!(messages.contains("write 1651 if the point separates thousands"), "{messages}");
+}
+
 /// A row with too many or too few fields, or in another encoding, has an error of its own, and is reported
 /// with its place before the rows are computed.
 #[test]

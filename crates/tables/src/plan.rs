@@ -269,7 +269,21 @@ impl<'a> Part<'a> {
         gate: Option<&NullBuffer>,
         (own, around): (Option<&str>, Option<&str>),
     ) -> Result<(), TableError> {
-        let own = own.or_else(|| field.metadata().get(UNIT).map(String::as_str));
+        let of_metadata = field.metadata().get(UNIT).map(String::as_str);
+        if let (Some(named), Some(stored)) = (own, of_metadata)
+            && self
+                .shape
+                .dimension()
+                .is_some_and(|of| unit(named, of).is_some_and(|named| unit(stored, of) != Some(named)))
+        {
+            return Err(TableError::Unit {
+                column: called.to_owned(),
+                unit: named.to_owned(),
+                problem: format!("differs from \"{stored}\" in its metadata"),
+                help: "state the unit in one place".to_owned(),
+            });
+        }
+        let own = own.or(of_metadata);
         let DataType::Struct(fields) = array.data_type() else {
             let whole = self.whole_of(called, array, gate, (own, around))?;
             if let [(first, _), ..] = &self.whole[..] {

@@ -45,6 +45,23 @@ fn refusal(columns: Vec<(&str, ArrayRef)>) -> String {
     rows(Job::Reconstruct, &batch(columns)).unwrap_err().to_string()
 }
 
+/// A unit in the name that contradicts the one in the metadata is refused; another spelling of it is not.
+#[test]
+fn two_units_of_a_column_have_to_agree() {
+    let with_metadata = |name: &str, unit: &str| {
+        let field = Field::new(name, DataType::Float64, true);
+        let field = field.with_metadata([("unit".to_owned(), unit.to_owned())].into());
+        RecordBatch::try_new(Arc::new(Schema::new(vec![field])), vec![doubles(&[Some(30.0)])]).unwrap()
+    };
+    for name in ["vehicle2.speed [mph]", "vehicle2__speed__mph"] {
+        let refused = rows(Job::Reconstruct, &with_metadata(name, "km/h")).unwrap_err().to_string();
+        assert!(refused.contains("\"mph\", which differs from \"km/h\" in its metadata"), "{refused}");
+    }
+    let one = rows(Job::Reconstruct, &with_metadata("vehicle2.speed [km/h]", "kph")).unwrap();
+    let other = rows(Job::Reconstruct, &with_metadata("vehicle2.speed", "km/h")).unwrap();
+    assert_eq!(speeds(&one), speeds(&other));
+}
+
 /// Each sentence names the key; the good rows around have the same results as alone.
 #[test]
 fn a_bad_row_has_a_sentence() {
