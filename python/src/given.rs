@@ -10,10 +10,10 @@ use case::{CaseFile, SeverityPrior};
 use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
-use report::{SitePlan, Subject, Units};
+use report::{DrawingRequest, SitePlan, Subject, Units};
 use requests::{
-    AvoidOptions, DrawingRequest, EstimateOptions, ReconstructOptions, Request, SensitivityOptions,
-    UncertaintyOptions, read_records_beside, site_plan_beside,
+    AvoidOptions, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
+    read_records_beside, site_plan_beside,
 };
 use uncertainty::SamplingMethod;
 

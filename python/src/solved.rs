@@ -9,8 +9,8 @@ use pyo3::exceptions::{PyAttributeError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple, PyType};
-use report::{AvoidPicture, Document, Subject, Units};
-use requests::{Answer, DrawingRequest, EstimateAnswer, Request, RequestOptions};
+use report::{AvoidPicture, Document, DrawingRequest, Subject, Units};
+use requests::{Answer, EstimateAnswer, Request, RequestOptions};
 use uncertainty::SUCCEEDED;
 
 use crate::columns::Columns;

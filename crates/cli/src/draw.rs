@@ -5,10 +5,11 @@ use std::path::Path;
 use analysis::{Analysis, NoEstimate, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Quantity};
-use report::{AvoidPicture, Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
+use report::{
+    AvoidPicture, Drawing, DrawingError, DrawingRequest, PROGRAM, PictureFormat, SitePlan, Subject, Units,
+};
 use requests::{
-    Answer, AvoidOptions, DrawingRequest, EstimateAnswer, EstimateOptions, Request, read_picture,
-    site_plan_beside,
+    Answer, AvoidOptions, EstimateAnswer, EstimateOptions, Request, read_picture, site_plan_beside,
 };
 
 use crate::arguments::{DrawArguments, What};

@@ -89,8 +89,6 @@ pub struct PlanStation {
     pub face: [f64; 2],
     /// (m) on the crushed face.
     pub crushed: [f64; 2],
-    /// Outward direction of the face; a unit vector.
-    pub outward: [f64; 2],
 }
 
 impl PlanBody {
@@ -105,17 +103,9 @@ impl PlanBody {
             _ => (other.unwrap_or_default(), None, None),
         };
         let at = |[x, y]: [f64; 2]| pair(there * Point::new(x, y));
-        let turned = |[x, y]: [f64; 2]| {
-            let [forward, left] = [pose.forward, kurbo::Vec2::new(-pose.forward.y, pose.forward.x)];
-            let vector = forward * x + left * y;
-            [vector.x, vector.y]
-        };
         let station = |crush: &CrushProfile| -> Vec<PlanStation> {
             let stations = crush.face.iter().zip(&crush.crushed);
-            let outward = turned(crush.outward);
-            stations
-                .map(|(&face, &crushed)| PlanStation { face: at(face), crushed: at(crushed), outward })
-                .collect()
+            stations.map(|(&face, &crushed)| PlanStation { face: at(face), crushed: at(crushed) }).collect()
         };
         Self {
             cg: [pose.cg.x, pose.cg.y],

@@ -107,10 +107,9 @@ pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
-    AvoidPicture, DrawingError, Frames, Subject, computed_against_measured, density, drawing,
-    estimate_pictures, estimated_against_recorded, frames, histogram, motion_on, place_of_impact,
-    plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, site_plan, site_plan_of,
-    tornado,
+    AvoidPicture, DrawingError, DrawingRequest, Frames, Subject, computed_against_measured, density, drawing,
+    estimate_pictures, estimated_against_recorded, frames, histogram, place_of_impact, plan_view,
+    ranks_of_recorders, reconstructed_speed, site_plan, site_plan_of, tornado,
 };
 pub use sections::avoid::{avoid, avoid_warnings};
 pub use sections::claims::claims;

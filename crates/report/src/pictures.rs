@@ -201,6 +201,51 @@ impl From<Faults> for DrawingError {
     }
 }
 
+/// The drawing to make of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrawingRequest {
+    /// The subject.
+    pub subject: Subject,
+    /// Whether it is for readers who are not engineers, such as a jury: the vehicles by name, and their
+    /// speeds before and after the impact in words; no symbols, axes or forces.
+    pub plain: bool,
+}
+
+impl DrawingRequest {
+    /// Whether there is a form of the subject for readers who are not engineers.
+    #[must_use]
+    pub fn can_be(self) -> bool {
+        !self.plain || matches!(self.subject, Subject::Scene | Subject::Motion)
+    }
+
+    /// Draws it, a motion on its site plan. If the case has more evidence than an exact solution uses, the
+    /// speeds of a plain drawing are those of all the evidence, `weighed`, or none if that has no answer.
+    ///
+    /// # Errors
+    /// [`DrawingError`]: mostly that the analysis has nothing of this kind.
+    pub fn draw(
+        self,
+        file: &CaseFile,
+        analysis: &Analysis,
+        weighed: Option<&Weighed>,
+        units: Units,
+        site_plan: Option<SitePlan>,
+    ) -> Result<Drawing, DrawingError> {
+        let case = &file.case;
+        let plain = self.plain.then(|| VehicleId::ALL.map(|id| PlainSpeed::of(analysis, weighed, id)));
+        Ok(match (self.subject, plain) {
+            (Subject::Motion, plain) => motion::picture(case, analysis, units, plain, site_plan)?.draw(),
+            (_, Some(speeds)) => scene::plain(case, analysis, speeds, units)?.draw(),
+            (Subject::Scene, None) => scene::picture(case, analysis, units)?.draw(),
+            (Subject::Damage, None) => damage::picture(case, analysis, units)?.draw(),
+            (Subject::Reconciliation, None) => reconciliation::picture(file, analysis, units)?.draw(),
+            (Subject::Energy, None) => energy::picture(case, analysis, units)?.draw(),
+            (Subject::Momentum, None) => momentum::picture(case, analysis, units)?.draw(),
+            (Subject::MotionCurves, None) => motion::curves(case, analysis, units)?.draw(),
+        })
+    }
+}
+
 /// Draws one subject of an analysis, in the units of the reader.
 ///
 /// # Errors
@@ -211,57 +256,7 @@ pub fn drawing(
     units: Units,
     subject: Subject,
 ) -> Result<Drawing, DrawingError> {
-    match subject {
-        Subject::Scene => Ok(scene::picture(&file.case, analysis, units)?.draw()),
-        Subject::Damage => Ok(damage::picture(&file.case, analysis, units)?.draw()),
-        Subject::Reconciliation => Ok(reconciliation::picture(file, analysis, units)?.draw()),
-        Subject::Energy => Ok(energy::picture(&file.case, analysis, units)?.draw()),
-        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, None)?.draw()),
-        Subject::Momentum => Ok(momentum::picture(&file.case, analysis, units)?.draw()),
-        Subject::MotionCurves => Ok(motion::curves(&file.case, analysis, units)?.draw()),
-    }
-}
-
-/// Draws the scene for readers who are not engineers, such as a jury: the vehicles by name, and their speeds
-/// before and after the impact in words; no symbols, axes or forces. If the case has more evidence than an
-/// exact solution uses, the speeds are those of all the evidence, `weighed`, or none if that has no answer.
-///
-/// # Errors
-/// [`DrawingError`]: the analysis has no impact.
-pub fn plain_scene(
-    file: &CaseFile,
-    analysis: &Analysis,
-    weighed: Option<&Weighed>,
-    units: Units,
-) -> Result<Drawing, DrawingError> {
-    Ok(scene::plain(&file.case, analysis, weighed, units)?.draw())
-}
-
-/// Draws the motion on a site plan.
-///
-/// # Errors
-/// [`DrawingError`]: the analysis follows no vehicle to rest.
-pub fn motion_on(
-    file: &CaseFile,
-    analysis: &Analysis,
-    units: Units,
-    site_plan: Option<SitePlan>,
-) -> Result<Drawing, DrawingError> {
-    Ok(motion::picture(&file.case, analysis, units, site_plan)?.draw())
-}
-
-/// The same for readers who are not engineers, with the speeds of [`plain_scene`].
-///
-/// # Errors
-/// [`DrawingError`]: the analysis follows no vehicle to rest.
-pub fn plain_motion(
-    file: &CaseFile,
-    analysis: &Analysis,
-    weighed: Option<&Weighed>,
-    units: Units,
-    site_plan: Option<SitePlan>,
-) -> Result<Drawing, DrawingError> {
-    Ok(motion::plain(&file.case, analysis, weighed, units, site_plan)?.draw())
+    DrawingRequest { subject, plain: false }.draw(file, analysis, None, units, None)
 }
 
 /// Why the drawing of an exact solution is not the answer; empty if it is.
@@ -364,7 +359,9 @@ pub fn plan_view(
 ) -> Result<(Drawing, PlanView), DrawingError> {
     match subject {
         Subject::Scene => Ok(scene::picture(&file.case, analysis, units)?.draw_within(viewport)),
-        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, None)?.draw_within(viewport)),
+        Subject::Motion => {
+            Ok(motion::picture(&file.case, analysis, units, None, None)?.draw_within(viewport))
+        }
         subject => Err(DrawingError::NoMotion { subject }),
     }
 }
@@ -389,7 +386,7 @@ pub fn frames(
     units: Units,
     times: impl FnOnce(f64) -> Vec<f64>,
 ) -> Result<Frames, DrawingError> {
-    let picture = motion::picture(&file.case, analysis, units, None)?;
+    let picture = motion::picture(&file.case, analysis, units, None, None)?;
     let duration = picture.duration();
     let frames = times(duration).into_iter().map(|time| (time, picture.bodies_at(time))).collect();
     Ok(Frames { duration, frames })

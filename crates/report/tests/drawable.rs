@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use analysis::Failure;
 use case::CaseFile;
-use report::{DrawingError, Subject, Units};
+use report::{DrawingError, DrawingRequest, Subject, Units};
 use serde_json::Value;
 
 /// Both vehicles are known but for their speeds.
@@ -100,7 +100,9 @@ fn a_scene_needs_no_speeds() {
             assert!(!svg.contains(&format!("id=\"scene-{unknown}")), "{unknown}");
         }
         assert!(drawing.description().contains("The speeds are not known."));
-        let plain = report::plain_scene(&file, &analysis, None, Units::Si).unwrap();
+        let plain = DrawingRequest { subject: Subject::Scene, plain: true }
+            .draw(&file, &analysis, None, Units::Si, None)
+            .unwrap();
         assert!(plain.svg().contains("Focus") && !plain.description().contains("km/h"));
     }
 }

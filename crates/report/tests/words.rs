@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 use analysis::Plan;
 use case::CaseFile;
-use report::{Subject, Units};
+use report::{DrawingRequest, Subject, Units};
 use serde_json::Value;
 use uncertainty::{SamplingMethod, Settings};
 
@@ -51,7 +51,9 @@ fn a_negative_speed_is_called_backwards() {
     let text = report::results(&file.case, &analysis, Units::Si).text();
     assert!(text.contains("Speed of vehicle 2: -7.2 km/h (-2.00 m/s), backwards\n"), "{text}");
     assert!(text.contains("Speed of vehicle 1: 43.2 km/h (12.00 m/s)\n"), "{text}");
-    let plain = report::plain_scene(&file, &analysis, None, Units::Si).unwrap();
+    let plain = DrawingRequest { subject: Subject::Scene, plain: true }
+        .draw(&file, &analysis, None, Units::Si, None)
+        .unwrap();
     assert!(plain.svg().contains("before: 7.2 km/h backwards"));
     assert!(plain.description().contains("before: 7.2 km/h backwards"));
     assert!(plain.svg().contains("before: 43.2 km/h<"));

@@ -24,8 +24,8 @@
 //! [JSON](Answer::json), a [row](Answer::row) among those of many cases, and its
 //! [samples](Answer::write_samples).
 //!
-//! [`DrawingRequest`] draws a subject of a case, [`plots`] an uncertainty, and [`site_plan_beside`] reads the
-//! picture behind a motion. [`RowRefusal`] states on one line why a row has no answer.
+//! [`plots`] draws an uncertainty, and [`site_plan_beside`] reads the picture behind a motion. [`RowRefusal`]
+//! states on one line why a row has no answer.
 //!
 //! # A new command
 //!
@@ -58,7 +58,7 @@ use serde::Serialize;
 pub use avoid::{AvoidOptions, no_probability};
 pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
-pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
+pub use picture::{plan_path, read_picture, site_plan_beside};
 pub use progress::RequestProgress;
 pub use records::read_records_beside;
 pub use refusal::{NoPage, RowRefusal, Unanswered};

@@ -1,51 +1,13 @@
-//! Drawings of a case, and the picture behind its motion.
+//! The picture behind the motion of a case.
 
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use analysis::{Analysis, Weighed};
 use case::{CaseFile, Diagnostics, Fault, GivenSitePlan, Program};
-use report::{Drawing, DrawingError, SitePlan, Subject, Units};
+use report::SitePlan;
 
 use crate::beside::beside;
-
-/// The drawing to make of a case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DrawingRequest {
-    /// The subject.
-    pub subject: Subject,
-    /// Whether it is for readers who are not engineers.
-    pub plain: bool,
-}
-
-impl DrawingRequest {
-    /// Whether there is a form of the subject for readers who are not engineers.
-    #[must_use]
-    pub fn can_be(self) -> bool {
-        !self.plain || matches!(self.subject, Subject::Scene | Subject::Motion)
-    }
-
-    /// Draws it; a plain drawing has the speeds by all the evidence if that was weighed.
-    ///
-    /// # Errors
-    /// [`DrawingError`]: mostly that the analysis has nothing of this kind.
-    pub fn draw(
-        self,
-        file: &CaseFile,
-        analysis: &Analysis,
-        weighed: Option<&Weighed>,
-        units: Units,
-        site_plan: Option<SitePlan>,
-    ) -> Result<Drawing, DrawingError> {
-        match (self.subject, self.plain) {
-            (Subject::Motion, true) => report::plain_motion(file, analysis, weighed, units, site_plan),
-            (_, true) => report::plain_scene(file, analysis, weighed, units),
-            (Subject::Motion, false) => report::motion_on(file, analysis, units, site_plan),
-            (subject, false) => report::drawing(file, analysis, units, subject),
-        }
-    }
-}
 
 /// (bytes) no PNG or JPEG of a plan is larger.
 const LARGEST_PICTURE: u64 = 1 << 28;

@@ -2,8 +2,7 @@
 
 use analysis::Analysis;
 use case::{Case, Quantity};
-use report::{DrawingError, PlanBody, PlanView, SitePlan, Subject, Viewport};
-use requests::DrawingRequest;
+use report::{DrawingError, DrawingRequest, PlanBody, PlanView, SitePlan, Subject, Viewport};
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};

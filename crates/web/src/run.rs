@@ -5,8 +5,8 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use js_sys::Function;
-use report::{Document, Drawing, Subject};
-use requests::{Answer, DrawingRequest, Request, RequestOptions};
+use report::{Document, Drawing, DrawingRequest, Subject};
+use requests::{Answer, Request, RequestOptions};
 use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
 

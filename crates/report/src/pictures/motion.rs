@@ -5,7 +5,7 @@ use ::drawing::{
     Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint, MotionRest,
     MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
-use analysis::{Analysis, Travel, TravelOrigin, Weighed};
+use analysis::{Analysis, Travel, TravelOrigin};
 use case::{Axes, Case, PointData, RegionData, SkidBegin, SurfaceData};
 use pim_core::{Real, Vector2, VehicleId};
 use trajectory::State;
@@ -22,29 +22,8 @@ const STANDING: f64 = 1.0 / 3.6;
 /// The number of parts drawn for each step of the integration, which may be a second long.
 const PARTS: u32 = 12;
 
-/// For readers who are not engineers.
-pub(super) fn plain(
-    case: &Case,
-    analysis: &Analysis,
-    weighed: Option<&Weighed>,
-    units: Units,
-    site_plan: Option<SitePlan>,
-) -> Result<MotionPicture, DrawingError> {
-    let speeds = VehicleId::ALL.map(|id| PlainSpeed::of(analysis, weighed, id));
-    drawn(case, analysis, units, Some(speeds), site_plan)
-}
-
-pub(super) fn picture(
-    case: &Case,
-    analysis: &Analysis,
-    units: Units,
-    site_plan: Option<SitePlan>,
-) -> Result<MotionPicture, DrawingError> {
-    drawn(case, analysis, units, None, site_plan)
-}
-
 /// With plain speeds, for readers who are not engineers.
-fn drawn(
+pub(super) fn picture(
     case: &Case,
     analysis: &Analysis,
     units: Units,

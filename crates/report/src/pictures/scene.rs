@@ -1,7 +1,7 @@
 //! The scene: both vehicles at impact, seen from above.
 
 use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
-use analysis::{Analysis, Exchange, Seen, Weighed};
+use analysis::{Analysis, Exchange, Seen};
 use case::{Axes, Case, Geometry};
 use pim_core::{Contact, Real, Vector2, VehicleId};
 
@@ -15,11 +15,10 @@ use crate::units::Measure;
 pub(super) fn plain(
     case: &Case,
     analysis: &Analysis,
-    weighed: Option<&Weighed>,
+    speeds: [PlainSpeed<'_>; 2],
     units: Units,
 ) -> Result<ScenePicture, DrawingError> {
     let picture = picture(case, analysis, units)?;
-    let speeds = VehicleId::ALL.map(|id| PlainSpeed::of(analysis, weighed, id));
     let mut description = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
     let mut vehicles = picture.vehicles;
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&mut vehicles) {

@@ -20,7 +20,7 @@ use crate::data::sha256;
 use crate::document::{Block, Document, Table};
 use crate::estimates::{WIDEST, ends};
 use crate::outputs::output_name;
-use crate::pictures::{DrawingError, Subject, drawing, motion_on};
+use crate::pictures::{DrawingError, DrawingRequest, Subject};
 use crate::steps::steps;
 use crate::units::{Measure, number};
 use crate::{Units, axes, basis, checks, energy, law, warnings, words};
@@ -182,12 +182,11 @@ fn drawings(
     for subject in Subject::ALL {
         // If momentum gave no speed, its polygon adds nothing to the drawing of the energy.
         let is_by_momentum = analysis.both.as_ref().is_some_and(|both| !both.is_by_crush());
-        let drawn = match subject {
-            Subject::Momentum if !is_by_momentum => continue,
-            Subject::Motion => motion_on(file, analysis, units, site_plan.cloned()),
-            _ => drawing(file, analysis, units, subject),
-        };
-        match drawn {
+        if subject == Subject::Momentum && !is_by_momentum {
+            continue;
+        }
+        let request = DrawingRequest { subject, plain: false };
+        match request.draw(file, analysis, None, units, site_plan.cloned()) {
             Ok(drawing) => drawings.push(drawing),
             Err(
                 DrawingError::NoImpact { .. }
