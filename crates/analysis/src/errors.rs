@@ -17,9 +17,10 @@ pub(crate) fn damaged_sides(case: &Case) -> Vec<DamagedSide> {
     case.vehicles.iter().filter_map(GivenVehicle::damaged_side).map(DamagedSide::from).collect()
 }
 
-/// The misfit between the crush energy and the impact, where these sides were `hit`.
-pub(crate) fn crush_misfit(case: &Case, hit: &[DamagedSide]) -> CrushMisfit {
-    if is_with_object(case, hit) { FITTED.objects.misfit } else { FITTED.crush_misfit(hit) }
+/// The misfit between crush energies by a category of stiffness and the impact, where these sides were `hit`.
+pub(crate) fn category_misfit(case: &Case, hit: &[DamagedSide]) -> CrushMisfit {
+    let fitted = FITTED.by_category(hit);
+    if is_with_object(case, hit) { fitted.objects.misfit } else { fitted.crush_misfit(hit) }
 }
 
 /// The errors of the evidence when momentum and the crush energy are weighed.

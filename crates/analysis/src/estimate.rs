@@ -315,8 +315,9 @@ pub fn estimate(
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
+    let are_of_field = case.vehicles.iter().all(|vehicle| TestedClass::has_cars_of(vehicle.model_year));
     let tested = match hit {
-        _ if !is_field => None,
+        _ if !is_field || !are_of_field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,

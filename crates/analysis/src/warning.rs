@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use crash3::{EnergyBasis, Side, principal_angle};
+use evidence::{EnergyMethod, FITTED};
 use inputs::{
     After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Origin, Quantity, StiffnessForm,
     StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
@@ -13,7 +14,7 @@ use real::elementary::sin_cos;
 use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
-use crate::errors::{crush_misfit, damaged_sides};
+use crate::errors::{category_misfit, damaged_sides};
 use crate::evident::Evident;
 use crate::exchange::Exchange;
 use crate::found::Found;
@@ -142,6 +143,8 @@ pub enum Warning {
         share: f64,
         /// Whether the case has one vehicle, for which there is no estimate.
         is_alone: bool,
+        /// Whether a car of unknown model year is taken for one of the field.
+        is_year_assumed: bool,
     },
     /// The skid marks of a vehicle point elsewhere than it travelled.
     SkidDirection {
@@ -677,9 +680,20 @@ pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warn
         data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
     });
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
-    let share = real::elementary::exp(crush_misfit(case, &damaged_sides(case)).bias);
+    let misfit = category_misfit(case, &damaged_sides(case));
+    let biases =
+        case.vehicles.iter().zip(of).filter(|(_, is_of)| *is_of).map(|(vehicle, _)| {
+            FITTED.energy_error(EnergyMethod::Class, misfit, vehicle.model_year, false).bias
+        });
+    // The energy of the car that differs more from the table.
+    let bias = biases.fold(0.0, f64::min);
+    let share = real::elementary::exp(bias);
+    let is_corrected = is_corrected || bias == 0.0;
     let is_alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    (of != [false; 2] && !is_corrected).then_some(Warning::CategoryEnergy { of, share, is_alone })
+    let is_year_assumed =
+        case.vehicles.iter().zip(of).any(|(vehicle, is_of)| is_of && vehicle.model_year.is_none());
+    let warning = Warning::CategoryEnergy { of, share, is_alone, is_year_assumed };
+    (of != [false; 2] && !is_corrected).then_some(warning)
 }
 
 /// Warnings about a speed (m/s) that was found.

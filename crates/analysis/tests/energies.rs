@@ -200,7 +200,8 @@ fn a_lorry_without_damage_raises_no_warning_of_its_own() {
     let [Warning::CategoryEnergy { .. }] = analysis.warnings[..] else { panic!("{:?}", analysis.warnings) };
 }
 
-/// docs/calibration.md: energies by categories were on average 59 % of what recorders show.
+/// docs/calibration.md: energies by categories were on average 45 % of what the impact took where a side was
+/// hit, and 51 % where a front met a fixed object.
 #[test]
 fn a_speed_by_categories_is_told_to_be_low() {
     let text = include_str!("../../case/templates/si/front-side.toml");
@@ -213,22 +214,28 @@ fn a_speed_by_categories_is_told_to_be_low() {
         warnings.iter().filter_map(of).collect()
     };
     let [(both, share)] = of(text)[..] else { panic!() };
-    assert!(both == [true; 2] && (share - 0.59).abs() < 0.005, "{both:?} {share}");
+    assert!(both == [true; 2] && (share - 0.45).abs() < 0.005, "{both:?} {share}");
     let measured = "{ A = \"555 N/cm\", B = \"40 N/cm^2\" }";
     let one = text.replace("{ category = 3 }", measured);
     assert!(matches!(of(&one)[..], [([false, true], _)]), "{:?}", of(&one));
     assert_eq!(of(&one.replace("{ category = 2 }", measured)), []);
     // The case itself gives the bias of its energies.
     assert_eq!(of(&format!("{text}\n[estimate]\ncrush_bias = \"80 %\"\n")), []);
-    // A front against an object has figures of its own, but a side has those of vehicles.
+    // Cars as old as the table have right energies; the newer of two counts.
+    let old = |text: &str, id: u8| {
+        text.replace(&format!("[vehicle{id}] "), &format!("[vehicle{id}]\nmodel_year = 1976\n#"))
+    };
+    assert!(matches!(of(&old(text, 1))[..], [(_, share)] if (share - 0.45).abs() < 0.005));
+    assert_eq!(of(&old(&old(text, 1), 2)), []);
+    // A front against an object has figures of its own.
     let wall = include_str!("../../../fixtures/leaning-tree.toml");
-    assert!(matches!(of(wall)[..], [(_, share)] if (share - 0.46).abs() < 0.005), "{:?}", of(wall));
+    assert!(matches!(of(wall)[..], [(_, share)] if (share - 0.51).abs() < 0.005), "{:?}", of(wall));
     let side = wall
         .replace("side      = \"front\"", "side = \"right\"")
         .replace("heading    = \"0 deg\"", "heading = \"90 deg\"\nsideslip = \"-90 deg\"")
         .replace("{ x = \"1.85 m\", y = \"0.2 m\" }", "{ x = \"0.2 m\", y = \"-0.8 m\" }")
         .replace("pdof      = \"0 deg\"", "pdof = \"90 deg\"");
-    assert!(matches!(of(&side)[..], [(_, share)] if (share - 0.59).abs() < 0.005), "{:?}", of(&side));
+    assert!(matches!(of(&side)[..], [(_, share)] if (share - 0.45).abs() < 0.005), "{:?}", of(&side));
     // Speeds by momentum do not use them.
     let crossing = include_str!("../../case/templates/si/intersection.toml");
     assert_eq!(of(crossing), []);

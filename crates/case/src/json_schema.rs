@@ -150,7 +150,9 @@ impl Generator {
             Form::Law(words) => {
                 object(json!({ "type": "string", "enum": words, "default": LawName::default().name() }))
             }
-            Form::Count(last) => object(json!({ "type": "integer", "minimum": 1, "maximum": last })),
+            Form::Count(first, last) => {
+                object(json!({ "type": "integer", "minimum": first, "maximum": last }))
+            }
             Form::Keys([]) => object(
                 json!({ "type": "array", "minItems": 1, "items": { "type": "string", "pattern": r"\S" } }),
             ),

@@ -682,7 +682,7 @@ fn held(form: Form) -> String {
         Form::NumberOrTable(..) => "number, range or its keys".to_owned(),
         Form::Exact(..) | Form::Probability => "number".to_owned(),
         Form::Quantities(..) | Form::Numbers(_) => "numbers or ranges".to_owned(),
-        Form::Count(last) => format!("1 to {last}"),
+        Form::Count(first, last) => format!("{first} to {last}"),
         Form::Percent(_) => "per cent".to_owned(),
         Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) => words(),
         Form::WordsOrTable(..) => format!("{}, or its keys", words()),

@@ -62,3 +62,18 @@ fn a_scene_without_speeds_has_the_warnings_of_check() {
     let said = String::from_utf8(run(&["draw", &case, "--what", "scene"]).stderr).unwrap();
     assert!(said.contains(&format!("has 1 warning: `deltav check {case}` prints them.")), "{said}");
 }
+
+/// Vehicle 2 was probably stationary: its density and the regions of both speeds are those of the draws in
+/// which it moved, and the picture says how many it leaves out.
+#[test]
+fn a_stationary_vehicle_is_said_beside_its_density() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/rear-end-rest-uncertain.toml");
+    let svg = String::from_utf8(run(&["draw", case, "--what", "estimate"]).stdout).unwrap();
+    for region in ["inner", "outer"] {
+        let path = svg.lines().find(|line| line.contains(&format!("joint-speeds-{region}\""))).unwrap();
+        assert!(path.contains(" d=\"M"), "{path}");
+    }
+    let estimated = String::from_utf8(run(&["estimate", case]).stdout).unwrap();
+    let share = estimated.split_once("vehicle 2 was stationary: ").unwrap().1.split_once(" %").unwrap().0;
+    assert!(svg.contains(&format!("without the {share} % for a stationary vehicle")), "{share}");
+}

@@ -208,15 +208,15 @@ impl Canvas {
             Anchor::Middle => " text-anchor=\"middle\"",
             Anchor::End => " text-anchor=\"end\"",
         };
-        // The white rim keeps letters legible where a line runs below them.
+        let place = format!("x=\"{}\" y=\"{}\" font-size=\"{}\"{anchor}", px(at.x), px(at.y), px(size));
+        let text = escaped(text);
+        // The white rim keeps letters legible where a line runs below them. It is a text of its own, because
+        // word processors do not know `paint-order`.
         self.element(&format!(
-            "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{anchor} fill=\"{colour}\" stroke=\"{WHITE}\" stroke-width=\"3\" \
-             stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>",
-            px(at.x),
-            px(at.y),
-            px(size),
-            escaped(text)
+            "<text {place} aria-hidden=\"true\" fill=\"{WHITE}\" stroke=\"{WHITE}\" stroke-width=\"3\" \
+             stroke-linejoin=\"round\">{text}</text>"
         ));
+        self.element(&format!("<text {place} fill=\"{colour}\">{text}</text>"));
     }
 
     /// Places all labels inside `bounds` ([`Placer::place`]).

@@ -156,8 +156,8 @@ impl Contact {
     }
 
     /// (m) how far a wall extends along t from C: beyond all of the other vehicle, except for its parts
-    /// beyond the crush plane, where there cannot be a wall. `outlines` are those of the bodies in the scene
-    /// (m), if they have one.
+    /// beyond the crush plane, where there cannot be a wall, unless C itself is there. `outlines` are those
+    /// of the bodies in the scene (m), if they have one.
     pub(crate) fn wall_ends(self, outlines: [Option<BezPath>; 2]) -> [f64; 2] {
         let (n, t) = (self.normal, self.tangent());
         let (mut ends, mut blocked) = ([-WALL, WALL], Vec::new());
@@ -185,7 +185,8 @@ impl Contact {
         let best = |one: &[f64; 2], other: &[f64; 2]| {
             far(*one).total_cmp(&far(*other)).then(length(*other).total_cmp(&length(*one)))
         };
-        gaps.into_iter().min_by(best).unwrap_or_default()
+        // C is on the wall: a body that is drawn undamaged reaches into it there.
+        gaps.into_iter().min_by(best).filter(|gap| far(*gap) <= BEHIND).unwrap_or(ends)
     }
 
     /// (m) points as far out as a pole, or the corners of a wall; none for a body with its own shape.

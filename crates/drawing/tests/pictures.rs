@@ -441,6 +441,38 @@ fn the_curves_of_a_density_reach_from_end_to_end() {
     assert!(!svg.contains("density-before") && !svg.contains(">before</text>"), "{svg}");
 }
 
+/// Without depths, a car is drawn undamaged and reaches into the wall, which still contains C, the origin.
+#[test]
+fn a_wall_contains_the_contact_point_of_a_car_without_depths() {
+    let reader = Reader::new();
+    let mut picture = scene();
+    for ahead in [0.0, 0.4] {
+        picture.vehicles[0].cg = [ahead - 2.0, 0.5];
+        let svg = picture.draw().svg();
+        let tree = reader.tree(&svg);
+        let [wall, impact] = ["scene-outline-2", "scene-contact"].map(|id| area(&tree, id));
+        let middle = f64::from(impact.top() + impact.bottom()) / 2.0;
+        assert!(
+            f64::from(wall.top()) < middle && middle < f64::from(wall.bottom()),
+            "{ahead}: {wall:?} {impact:?}"
+        );
+    }
+}
+
+/// Every text has a white rim, a text of its own right before it, that screen readers leave out.
+#[test]
+fn letters_have_a_rim_below_them() {
+    let svg = scene().draw().svg();
+    let texts: Vec<&str> = svg.lines().filter(|line| line.starts_with("<text ")).collect();
+    assert!(texts.len() > 10 && texts.len().is_multiple_of(2), "{}", texts.len());
+    for pair in texts.chunks(2) {
+        let [rim, letters] = [pair[0], pair[1]].map(|text| text.split_once('>').unwrap());
+        assert_eq!(rim.1, letters.1);
+        assert!(rim.0.contains("stroke-width=\"3\"") && rim.0.contains("aria-hidden"), "{rim:?}");
+        assert!(!letters.0.contains("stroke"), "{letters:?}");
+    }
+}
+
 /// The cone has a height of 0.6 at 2 m/s from its middle, and of 0.2 at 4 m/s.
 #[test]
 fn the_regions_of_two_speeds_have_their_borders_where_the_density_is() {

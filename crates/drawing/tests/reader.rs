@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use resvg::tiny_skia::Rect;
-use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
+use resvg::usvg::{Group, Node, Options, Text, TextChunk, Tree, fontdb::Database};
 
 pub(crate) struct Reader(Options<'static>);
 
@@ -48,6 +48,8 @@ pub(crate) fn boxes(group: &Group, texts: &mut Vec<(String, Rect)>, others: &mut
     for node in group.children() {
         match node {
             Node::Group(group) => boxes(group, texts, others),
+            // The white rim of the text that follows.
+            Node::Text(text) if is_rim(text) => {}
             Node::Text(text) => {
                 let words: String = text.chunks().iter().map(|chunk| chunk.text().to_owned()).collect();
                 texts.push((words, text.abs_bounding_box()));
@@ -55,6 +57,10 @@ pub(crate) fn boxes(group: &Group, texts: &mut Vec<(String, Rect)>, others: &mut
             node => others.push(node.abs_stroke_bounding_box()),
         }
     }
+}
+
+fn is_rim(text: &Text) -> bool {
+    text.chunks().iter().flat_map(TextChunk::spans).any(|span| span.stroke().is_some())
 }
 
 /// The attribute of the element with an id.

@@ -34,7 +34,7 @@ impl From<Side> for DamagedSide {
 /// The source of the crush energy of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnergyMethod {
-    /// From the depths, with the stiffness of a class or category of vehicles.
+    /// From the depths, with the stiffness of a category of CRASH3's table.
     Class,
     /// From the depths, with a stiffness given by the analyst.
     Coefficients,
@@ -62,6 +62,34 @@ const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd:
 /// the comparison with another object one of 30 % of the energy.
 const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.30 };
 
+/// (years) the model years between which the bias of such energies grows from nothing to that of the field:
+/// that of the RICSAC cars, whose energies by category are right on average, and the mean one of the field.
+const MODEL_YEARS: [f64; 2] = [1977.0, 2010.0];
+
+/// The misfit of energies by a category of CRASH3's table in the field: for fronts only, if a rear was hit,
+/// if a side was hit, and for a front against a fixed object.
+const CATEGORIES: [MisfitFigures; 4] = [
+    MisfitFigures { bias: -0.843, ln_sd: 0.382, covariance: [[0.012_33, -0.003_62], [-0.003_62, 0.070_66]] },
+    MisfitFigures { bias: -0.134, ln_sd: 0.687, covariance: [[0.018_59, 0.002_26], [0.002_26, 0.043_55]] },
+    MisfitFigures { bias: -0.794, ln_sd: 0.387, covariance: [[0.005_97, -0.001_36], [-0.001_36, 0.044_49]] },
+    MisfitFigures { bias: -0.671, ln_sd: 1.372, covariance: [[0.038_11, -0.003_40], [-0.003_40, 0.015_78]] },
+];
+
+/// (–) the shares of such energies: median ratio of that of a rear and of a side to that of a front, the
+/// standard errors of their logarithms, and the spread between crashes.
+const CATEGORY_SHARES: ([f64; 2], [f64; 2], f64) = ([1.720, 0.363], [0.088, 0.060], 0.73);
+
+/// (–) spreads of ln b₁ and of ln b₀ between the cars of a category, whose B has the spread 0.59 of ln and
+/// whose A has 0.38: half of that of B, and the rest of that of A (docs/theory.md, section 9).
+const CATEGORY_SPREADS: [f64; 2] = [0.295, 0.085];
+
+/// A misfit with the covariance of its bias and of the logarithm of its spread.
+struct MisfitFigures {
+    bias: f64,
+    ln_sd: f64,
+    covariance: [[f64; 2]; 2],
+}
+
 /// The assumptions about a collision of passenger vehicles, and the errors of its model.
 ///
 /// docs/calibration.md has the source of each figure, and describes how the misfits and stiffnesses were
@@ -85,7 +113,9 @@ pub struct Fitted {
     pub no_damage_speed: [f64; 3],
     /// (–) spread of its logarithm.
     pub no_damage_speed_ln_sd: f64,
-    /// (–) median ratio of the crush energy of a side to that of the front or rear that struck it.
+    /// (–) median ratio of the crush energy of a rear to that of the front that struck it.
+    pub rear_crush: f64,
+    /// (–) median ratio of the crush energy of a side to that of the front that struck it.
     pub side_crush: f64,
     /// (–) spread of the logarithm of the ratio of the vehicles' crush energies.
     pub other_crush_ln_sd: f64,
@@ -164,14 +194,15 @@ pub struct FigureErrors {
     /// (–) standard error of ln of the median severity, and of ln of the factor for two fronts: 0.47/√n, for
     /// the 287 collisions and for the 50 of two fronts that gave them.
     pub severity: [f64; 2],
-    /// (–) standard error of ln of the ratio of the crush energy of a side to that of a front or rear.
-    pub side_crush: f64,
+    /// (–) standard errors of ln of the ratio of the crush energy of a rear, and of a side, to that of a
+    /// front.
+    pub crush_shares: [f64; 2],
 }
 
 impl FigureErrors {
     /// The figures as exact.
     pub const NONE: Self =
-        Self { covariance: [[0.0; FIGURES]; FIGURES], severity: [0.0; 2], side_crush: 0.0 };
+        Self { covariance: [[0.0; FIGURES]; FIGURES], severity: [0.0; 2], crush_shares: [0.0; 2] };
 
     /// Whether a figure behind the crush energies has an error.
     fn has_crush(&self) -> bool {
@@ -244,6 +275,7 @@ pub const FITTED: Fitted = Fitted {
     slope_ln_sd: 0.18,
     no_damage_speed: [2.22, 2.22, 1.58],
     no_damage_speed_ln_sd: 0.38,
+    rear_crush: 1.0,
     side_crush: 0.73,
     other_crush_ln_sd: 0.96,
     recorder_ln_scale: 0.128,
@@ -277,13 +309,19 @@ pub const FITTED: Fitted = Fitted {
             [0.00534, 0.00352, -0.00441, -0.01208, -0.01723, 0.00442, -0.00220, -0.00328, 0.07919],
         ],
         severity: [0.028, 0.066],
-        side_crush: 0.089,
+        crush_shares: [0.0, 0.089],
     },
 };
 
 /// The index of the spread of the misfit if these sides were hit: 0 only fronts, 1 a rear, 2 a side.
 fn kind(hit: &[DamagedSide]) -> usize {
     hit.iter().max().map_or(0, |damage| *damage as usize)
+}
+
+/// (–) how far the stiffness of a car has gone from those of CRASH3's table to those of the field.
+fn newer(model_year: Option<u16>) -> f64 {
+    let [old, new] = MODEL_YEARS;
+    model_year.map_or(1.0, |year| ((f64::from(year) - old) / (new - old)).clamp(0.0, 1.0))
 }
 
 /// (kg, m) mass and width that the stiffness of the fleet refers to.
@@ -309,6 +347,24 @@ impl Fitted {
         // The errors of the median are normal as well: σ² + σ_m² + σ_f²
         let ln_sd = Real::sqrt(ln_sd * ln_sd + of_median * of_median + of_factor * of_factor);
         Severity { median: median * times, ln_sd, ..self.severity }
+    }
+
+    /// The same with the misfit of energies by a category of CRASH3's table in place of that of the fleet's
+    /// stiffness, if these sides were `hit`.
+    #[must_use]
+    pub fn by_category(mut self, hit: &[DamagedSide]) -> Self {
+        let [.., of_object] = &CATEGORIES;
+        let (k, all) = (kind(hit), &mut self.errors.covariance);
+        let MisfitFigures { bias, ln_sd, covariance: [[of_bias, both], [_, of_spread]] } = CATEGORIES[k];
+        (self.crush_bias, self.crush_ln_sd[k]) = (bias, ln_sd);
+        (all[0][0], all[SPREADS[k]][SPREADS[k]]) = (of_bias, of_spread);
+        (all[0][SPREADS[k]], all[SPREADS[k]][0]) = (both, both);
+        self.objects.misfit = CrushMisfit { bias: of_object.bias, ln_sd: of_object.ln_sd };
+        self.objects.covariance = of_object.covariance;
+        ([self.rear_crush, self.side_crush], self.errors.crush_shares, self.other_crush_ln_sd) =
+            CATEGORY_SHARES;
+        [self.slope_ln_sd, self.no_damage_speed_ln_sd] = CATEGORY_SPREADS;
+        self
     }
 
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.
@@ -339,14 +395,22 @@ impl Fitted {
     }
 
     /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
-    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness, the EES or
-    /// the energy of the object, that is the vehicle's own error.
+    /// method. An energy by category has the bias of the field as far as the car is newer than CRASH3's
+    /// table, and the spread of its `misfit`; one of unknown `model_year` is taken for a car of the field. If
+    /// the case `has_range` for the stiffness, the EES or the energy of the object, that is the vehicle's own
+    /// error.
     #[must_use]
-    pub fn energy_error(&self, method: EnergyMethod, misfit: CrushMisfit, has_range: bool) -> EnergyError {
+    pub fn energy_error(
+        &self,
+        method: EnergyMethod,
+        misfit: CrushMisfit,
+        model_year: Option<u16>,
+        has_range: bool,
+    ) -> EnergyError {
         let error = match method {
             EnergyMethod::Class => {
                 let CrushMisfit { bias, ln_sd } = misfit;
-                EnergyError { bias, shared_ln_sd: ln_sd, own_ln_sd: 0.0 }
+                EnergyError { bias: bias * newer(model_year), shared_ln_sd: ln_sd, own_ln_sd: 0.0 }
             }
             EnergyMethod::Coefficients => COEFFICIENTS,
             EnergyMethod::Test => TEST,
@@ -417,12 +481,17 @@ impl Fitted {
         other: DamagedSide,
         known: DamagedSide,
     ) -> Result<Distribution, InvalidDistribution> {
-        let of = |damage: DamagedSide| if damage == DamagedSide::Side { self.side_crush } else { 1.0 };
-        let differ = (other == DamagedSide::Side) != (known == DamagedSide::Side);
-        let of_median = if differ { self.errors.side_crush } else { 0.0 };
-        // The median's own error: σ² + σ_m²
+        let [of_rear, of_side] = self.errors.crush_shares;
+        let of = |damage: DamagedSide| match damage {
+            DamagedSide::Front => (1.0, 0.0),
+            DamagedSide::Rear => (self.rear_crush, of_rear),
+            DamagedSide::Side => (self.side_crush, of_side),
+        };
+        let ((other_share, one), (known_share, two)) = (of(other), of(known));
+        // The errors of the shares count, unless they are the same: σ² + σ_1² + σ_2²
+        let of_shares = if other == known { 0.0 } else { one * one + two * two };
         let ln_sd = self.other_crush_ln_sd;
-        Distribution::log_normal(of(other) / of(known), Real::sqrt(ln_sd * ln_sd + of_median * of_median))
+        Distribution::log_normal(other_share / known_share, Real::sqrt(ln_sd * ln_sd + of_shares))
     }
 
     /// The crush of a vehicle of unknown stiffness, from the `width` (m) of the damage, the mean depth (m)

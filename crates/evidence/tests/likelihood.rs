@@ -14,6 +14,24 @@ use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
 use uncertainty::{Distribution, LANES, Lanes};
 
+/// docs/calibration.md: by category, the energy of a rear is 1.72 times that of the front that struck it, and
+/// that of a side 0.363 times; by the stiffness of the fleet, a rear does not differ from a front.
+#[test]
+fn shares_by_category_are_those_of_the_calibration() {
+    use DamagedSide::{Front, Rear, Side};
+    let ratio = |fitted: &evidence::Fitted, other: DamagedSide, known: DamagedSide| {
+        fitted.other_crush(other, known).unwrap().quantile(0.5)
+    };
+    let by_category = FITTED.by_category(&[Front, Rear]);
+    for (other, known, expected) in
+        [(Rear, Front, 1.72), (Front, Rear, 1.0 / 1.72), (Side, Front, 0.363), (Side, Rear, 0.363 / 1.72)]
+    {
+        assert!((ratio(&by_category, other, known) / expected - 1.0).abs() < 1e-9, "{other:?} {known:?}");
+    }
+    assert!((ratio(&FITTED, Rear, Front) - 1.0).abs() < 1e-9);
+    assert!((ratio(&FITTED, Side, Rear) / 0.73 - 1.0).abs() < 1e-9);
+}
+
 pub(crate) fn vehicle(mass: f64, ahead: f64) -> VehicleNumbers {
     VehicleNumbers {
         body: Some(BodyNumbers { mass: mass.into(), yaw_radius: 1.4.into() }),

@@ -7,12 +7,12 @@ use evidence::TestedClass;
 fn figures_are_those_of_the_calibration() {
     let page = include_str!("../../../docs/calibration.md");
     for (class, start) in [
-        ("two-fronts", "| two fronts | 64 |"),
-        ("front-side", "| front and side | 172 |"),
-        ("front-rear", "| front and rear | 107 |"),
-        ("recorder", "| all, the other vehicle's recorder given | 104 |"),
-        ("one-crush", "| the vehicle that is judged | 348 |"),
-        ("fixed-object", "| fixed objects, all | 94 |"),
+        ("two-fronts", "| two fronts, by category | 64 |"),
+        ("front-side", "| front and side, by category | 172 |"),
+        ("front-rear", "| front and rear, by category | 107 |"),
+        ("recorder", "| the other vehicle's recorder given, by category | 104 |"),
+        ("one-crush", "| the crush of the judged vehicle alone, by category | 348 |"),
+        ("fixed-object", "| front and fixed object, by category | 94 |"),
     ] {
         let class = TestedClass::ALL.into_iter().find(|found| found.code == class);
         let line = page.lines().find(|line| line.starts_with(start));

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crash3::Stiffness;
 use evidence::{
     Behind, BodyNumbers, Collision, CrushNumbers, DamagedSide, Fitted, Number, Observed, ObservedVehicle,
     OtherCrush, RecordedData, RecordedDeltaV, Speeds, VehicleNumbers,
@@ -161,13 +162,39 @@ pub(crate) struct Placed<'a> {
     pub(crate) width: f64,
 }
 
+impl PairVehicle {
+    /// The crush by its category, from the width (m) of the damage, mean depth (m) and mean square depth
+    /// (m²); `None` if its stiffness is that of the fleet. Slope and no-damage speed are left at 1.
+    pub(crate) fn by_category(&self, width: f64, [mean, mean_square]: [f64; 2]) -> Option<CrushNumbers> {
+        let stiffness: Stiffness = Stiffness::from_category(self.plane, self.category?).ok()?;
+        Some(CrushNumbers {
+            constant: width * stiffness.g(),
+            linear: width * stiffness.a() * mean,
+            square: 0.5 * width * stiffness.b() * mean_square,
+            slope: 1.0.into(),
+            no_damage_speed: 1.0.into(),
+        })
+    }
+
+    /// The fitted figures behind its crush energy.
+    pub(crate) fn behind(&self) -> Behind {
+        match self.category {
+            Some(_) => Behind::Misfit { bias: true, spread: true },
+            None => Behind::Stiffness(self.plane.into()),
+        }
+    }
+}
+
 impl Placed<'_> {
     /// The vehicle of a collision.
     pub(crate) fn vehicle(&self, fitted: &Fitted) -> Result<VehicleNumbers, InvalidDistribution> {
         let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
         let shape = self.shape;
         let [mean, mean_square] = shape.depths;
-        let mut crush = fitted.crush_of(self.damage, self.width, mean, mean_square);
+        let mut crush = match self.vehicle.by_category(self.width, shape.depths) {
+            Some(crush) => crush,
+            None => fitted.crush_of(self.damage, self.width, mean, mean_square),
+        };
         crush.slope = factor(fitted.slope_ln_sd)?;
         crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
         let [ahead, left] = shape.contact;
@@ -291,7 +318,8 @@ impl Pair {
                 pdofs_differ: false,
                 severity: Some(fitted.severity_of(&layout.damages)),
                 crush: Some(fitted.crush_misfit(&layout.damages).into()),
-                figures: fitted.crush_figures(&layout.damages, layout.damages.map(Behind::Stiffness)),
+                figures: fitted
+                    .crush_figures(&layout.damages, self.vehicles.each_ref().map(PairVehicle::behind)),
             },
         })
     }
@@ -313,14 +341,18 @@ impl Pair {
             && let Some(crush) = &mut collision.vehicles[known.index()].crush
         {
             // The object that crushed it, and the width, are unknown.
-            let [mean, mean_square] = layout.shapes[known.index()].depths;
-            let narrow = fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square);
+            let depths = layout.shapes[known.index()].depths;
+            let [mean, mean_square] = depths;
+            let narrow = match self.vehicles[known.index()].by_category(SIDE_WIDTH, depths) {
+                Some(narrow) => narrow,
+                None => fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square),
+            };
             *crush = CrushNumbers { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
         }
         collision.vehicles[other.index()].crush = None;
         // The energy of the other vehicle follows from that of this one, with all its errors.
         collision.observed.figures =
-            fitted.crush_figures(&damages, [Behind::Stiffness(damages[known.index()]); 2]);
+            fitted.crush_figures(&damages, [self.vehicles[known.index()].behind(); 2]);
         let ratio = fitted.other_crush(damages[other.index()], damages[known.index()])?;
         collision.other_crush = Some(OtherCrush { vehicle: other, ratio: ratio.into() });
         Ok(collision)

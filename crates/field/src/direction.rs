@@ -127,6 +127,7 @@ mod tests {
                     // Forward and to the right, away from the origin of the force.
                     recorder: [Some(-9.0 * shown.cos()), Some(-9.0 * shown.sin())],
                     is_record_doubted: false,
+                    category: None,
                 }
             };
             let pairs: Vec<Pair> = (0..400)

@@ -59,6 +59,10 @@ impl Figure {
         Self::RecorderScale,
     ];
 
+    /// Those of two vehicles whose stiffnesses are those of categories: the first of [`ALL`](Self::ALL).
+    pub const OF_CATEGORIES: [Self; 4] =
+        [Self::Bias, Self::SpreadOfFronts, Self::SpreadOfRears, Self::SpreadOfSides];
+
     /// Those of a vehicle that struck a fixed object, in order.
     pub const OF_OBJECTS: [Self; 3] = [Self::BiasOfObjects, Self::SpreadOfObjects, Self::SeverityOfObjects];
 

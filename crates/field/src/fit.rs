@@ -409,10 +409,14 @@ fn exact(fitted: &Fitted) -> Fitted {
 /// Keeps the covariance of the varied numbers as the errors of their figures.
 fn keep(covariance: &Matrix, set: &[Figure], fitted: &mut Fitted) {
     let entry = |one: usize, two: usize| covariance[(one, two)];
-    if set == Figure::ALL {
-        fitted.errors.covariance = std::array::from_fn(|k| std::array::from_fn(|l| entry(k, l)));
-    } else {
+    if set == Figure::OF_OBJECTS {
         fitted.objects.covariance = std::array::from_fn(|k| std::array::from_fn(|l| entry(k, l)));
+        return;
+    }
+    for (k, row) in fitted.errors.covariance.iter_mut().enumerate().take(set.len()) {
+        for (l, of) in row.iter_mut().enumerate().take(set.len()) {
+            *of = entry(k, l);
+        }
     }
 }
 

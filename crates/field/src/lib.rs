@@ -30,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod by_category;
 mod case_text;
 pub mod ciss;
 mod claim;
@@ -49,6 +50,7 @@ mod recorded;
 mod recorders;
 mod share;
 
+pub use by_category::PairByCategory;
 pub use claim::{ClaimColumns, ClaimGroup, Claims, JudgedClaim, ProgramClaim, judge_claims};
 pub use crash::{Crash, KnownCrush, PairKind};
 pub use direction::{DirectionFit, fit_direction};

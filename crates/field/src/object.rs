@@ -87,7 +87,7 @@ impl Crash for ObjectCrash {
                 pdofs_differ: false,
                 severity: Some(fitted.objects.severity),
                 crush: Some(fitted.objects.misfit.into()),
-                figures: fitted.objects.figures([Behind::Stiffness(damage), Behind::Nothing]),
+                figures: fitted.objects.figures([vehicle.behind(), Behind::Nothing]),
             },
         })
     }

@@ -259,6 +259,7 @@ impl Cells {
             winsmash: [kmh("DVTOTAL")?, kmh("DVLONG")?],
             recorder: [kmh("MAXDVLONG")?, kmh("MAXDVLAT")?],
             is_record_doubted: false,
+            category: None,
         })
     }
 }

@@ -67,17 +67,29 @@ fn moments(crush: &CrushNumbers, fitted: &Fitted) -> Option<[f64; 2]> {
 fn shares(pair: &Pair, fitted: &Fitted) -> Option<Shares> {
     let layout = Layout::of(pair, fitted);
     let [one, two] = [0, 1].map(|i| {
-        let [mean, mean_square] = layout.shapes[i].depths;
-        moments(&fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square), fitted)
+        let depths = layout.shapes[i].depths;
+        let [mean, mean_square] = depths;
+        let crush = match pair.vehicles[i].by_category(layout.widths[i], depths) {
+            Some(crush) => crush,
+            None => fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square),
+        };
+        moments(&crush, fitted)
     });
     let ([m1, v1], [m2, v2]) = (one?, two?);
-    let [s1, s2] = layout.damages.map(|damage| f64::from(u8::from(damage == DamagedSide::Side)));
+    // By the fleet's stiffness, rears do not differ from fronts.
+    let differs = |i: usize| match layout.damages[i] {
+        DamagedSide::Front => false,
+        DamagedSide::Side => true,
+        DamagedSide::Rear => pair.vehicles[i].category.is_some(),
+    };
+    let [s1, s2] = [0, 1].map(|i| f64::from(u8::from(differs(i))));
     Some(Shares { sides: s2 - s1, mean: m2 - m1, variance: v1 + v2 })
 }
 
 /// Fits how two vehicles share the crush energy, with the stiffnesses of `fitted`.
 ///
-/// ln(E_2/E_1) = c (s_2 − s_1) + τ z + (stiffnesses), with s = 1 for a side and 0 for an end; c and τ
+/// ln(E_2/E_1) = c (s_2 − s_1) + τ z + (stiffnesses), with s = 1 for a side and 0 for an end
+/// (with stiffnesses by category, 0 for a front alone); c and τ
 /// maximise the likelihood, with the stiffnesses taken as normal with the variance that they give ln E (R. J.
 /// Hardy and S. G. Thompson, Statistics in Medicine 15 (1996) 619, for a random effect besides errors of
 /// known size).

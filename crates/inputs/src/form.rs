@@ -219,7 +219,8 @@ impl<N: Copy + From<f64>> Case<N> {
             yaw: _,
             class: _,
             wheelbase: _,
-            // Drawings, warnings and the motion before and after the impact use these.
+            // Estimates, drawings, warnings and the motion before and after the impact use these.
+            model_year: _,
             track: _,
             cg_to_front_axle: _,
             length: _,

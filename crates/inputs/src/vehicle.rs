@@ -49,6 +49,8 @@ pub struct GivenVehicle<T = f64> {
     pub yaw: Option<YawInertia<T>>,
     /// CRASH3's size class, 1 to 6: supplies the yaw inertia and the outline if they are not given.
     pub class: Option<u8>,
+    /// Model year: the errors of an energy by a category of stiffness depend on it.
+    pub model_year: Option<u16>,
     /// (m) wheelbase: with the length, it gives the yaw inertia if neither that nor a class is given.
     pub wheelbase: Option<Quantity<T>>,
     /// (m) between the wheels of an axle: for the motion after the impact.
@@ -157,6 +159,7 @@ impl<T> GivenVehicle<T> {
                 mass: None,
                 yaw: None,
                 class: None,
+                model_year: None,
                 wheelbase: None,
                 track: None,
                 cg_to_front_axle: None,
@@ -377,6 +380,7 @@ impl<U> Walk<'_, U> {
                 YawInertia::Radius(q) => YawInertia::Radius(self.quantity(&at("yaw_radius"), q)),
             }),
             class: vehicle.class.map(|class| self.count(&at("class"), class)),
+            model_year: vehicle.model_year.map(|year| self.count(&at("model_year"), year)),
             wheelbase: self.maybe(&at("wheelbase"), vehicle.wheelbase.as_ref()),
             track: self.maybe(&at("track"), vehicle.track.as_ref()),
             cg_to_front_axle: self.maybe(&at("cg_to_front_axle"), vehicle.cg_to_front_axle.as_ref()),

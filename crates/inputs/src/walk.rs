@@ -94,7 +94,7 @@ pub enum GivenValue {
     /// True.
     Flag,
     /// A number from a list, such as a size class.
-    Count(u8),
+    Count(u16),
     /// The hour of a clock.
     Hour(u8),
 }
@@ -196,8 +196,8 @@ impl<'a, U> Walk<'a, U> {
         flag
     }
 
-    pub(crate) fn count(&mut self, path: &dyn Display, count: u8) -> u8 {
-        self.other(path, || GivenValue::Count(count));
+    pub(crate) fn count<N: Copy + Into<u16>>(&mut self, path: &dyn Display, count: N) -> N {
+        self.other(path, || GivenValue::Count(count.into()));
         count
     }
 

@@ -223,7 +223,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let times = significant(error.factor(), 3);
         let (energies, usual_error) = match method {
             EnergyMethod::Class => {
-                ("Energies from class stiffness", "Their error is that found in crashes with recorders.")
+                ("Energies by CRASH3's categories", "Their error is that found in crashes with recorders.")
             }
             EnergyMethod::Coefficients => (
                 "Energies from the stiffness that the case gives",
@@ -246,8 +246,8 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         };
         let bias_words = match (is_default("estimate.crush_bias"), bias == 0.0) {
             (true, false) => format!(
-                "{energies} were on average {shown} % of what recorders show; they are multiplied by {times} \
-                 (docs/calibration.md; `crush_bias` changes it)."
+                "{energies} are on average {shown} % of what such an impact takes; they are multiplied by {times} \
+                 (docs/calibration.md; `model_year` and `crush_bias` change it)."
             ),
             (true, true) => format!("{energies} are taken as right on average."),
             (false, _) => format!(
@@ -269,7 +269,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
 fn object_words(estimated: &Estimated, id: VehicleId) -> String {
     let key = format!("vehicle{id}.deformation_energy");
     let has_range = estimated.unknown.iter().any(|unknown| unknown.key == key);
-    let error = FITTED.energy_error(EnergyMethod::OfObject, FITTED.objects.misfit, has_range);
+    let error = FITTED.energy_error(EnergyMethod::OfObject, FITTED.objects.misfit, None, has_range);
     let [method, own] = [error.shared_ln_sd, error.own_ln_sd].map(percent);
     if has_range {
         return format!(

@@ -331,7 +331,11 @@ impl<'a> PlainSpeed<'a> {
 
     /// The caveat below the title of a drawing with the speeds of both vehicles.
     fn caveat(speeds: [Self; 2]) -> &'static str {
-        if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, true))) {
+        let is_open =
+            |speed: &Self| matches!(speed, Self::Weighed(found, _) if found.varies() && !found.is_told());
+        if speeds.iter().any(is_open) {
+            "All the evidence together does not determine the speed that is not drawn: the report gives its range."
+        } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, true))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %. \
              Some pieces of the evidence contradict the others: the report says which."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {

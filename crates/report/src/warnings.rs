@@ -259,13 +259,19 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*recorded),
             speed(*found)
         ),
-        Warning::CategoryEnergy { of, share, is_alone } => format!(
-            "the stiffness of {} is from a category: crush energies from such a stiffness were on average {} % \
-             of what recorders show, and this answer takes them as they are, so {}",
+        Warning::CategoryEnergy { of, share, is_alone, is_year_assumed } => format!(
+            "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {} crush \
+             energies from it are on average {} % of what the impact takes, and this answer takes them as they \
+             are, so {}",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",
                 _ => "vehicle 2",
+            },
+            if *is_year_assumed {
+                "cars of about 2010 (give `model_year` if it differs),"
+            } else {
+                "its `model_year`,"
             },
             number(100.0 * share, 0),
             if *is_alone {

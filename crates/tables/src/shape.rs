@@ -61,7 +61,7 @@ impl Shape {
             Form::Flag => Self::Flag,
             Form::Words(_) | Form::Law(_) => Self::Word,
             Form::WordOrAll(_) => Self::Words,
-            Form::Count(_) => Self::Count,
+            Form::Count(..) => Self::Count,
             Form::Probability => Self::Number,
             Form::Keys(_) => Self::Names,
             Form::Number(_) => Self::Uncertain,

@@ -76,7 +76,7 @@ fn kind(form: Form) -> &'static str {
         Form::Text => "text",
         Form::Flag => "flag",
         Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) | Form::WordsOrTable(..) => "choice",
-        Form::Count(_) => "integer",
+        Form::Count(..) => "integer",
         Form::Keys(_) => "names",
         Form::Number(_) | Form::NumberOrTable(..) | Form::Probability => "number",
         Form::Numbers(_) => "numbers",

@@ -197,7 +197,9 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let other_crush = match crushed {
         Crushed::Of(known) => {
             let [known, other] = [known, known.other()].map(|id| (id, damage(id, &nominal, reference)));
-            let prior = FITTED.other_crush(other.1, known.1);
+            let is_by_category = energies(crushed, &case)[known.0.index()] == Some(EnergyMethod::Class);
+            let fitted = if is_by_category { FITTED.by_category(&[known.1, other.1]) } else { FITTED };
+            let prior = fitted.other_crush(other.1, known.1);
             let key = format!("{}.crush_by_{}", table(other.0), table(known.0));
             let ratio = unknowns.assumed(&key, prior, Assumed::OtherCrush)?;
             Some(OtherCrush { vehicle: other.0, ratio })

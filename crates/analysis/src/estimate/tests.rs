@@ -106,6 +106,17 @@ fn the_judged_collisions_are_named() {
         Some("recorder")
     );
     assert_eq!(tested("pdof = \"0 deg\"\n", "[vehicle1.recorder]\nspeed = \"40 km/h\"\n"), None);
+    // No car was as old as CRASH3's table.
+    let of_year = |year: u16| {
+        let text = format!(
+            "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = {{ friction = 0.5 }}\n",
+            vehicle(1, 0, "pdof = \"0 deg\"\n"),
+            vehicle(2, 180, "")
+        );
+        let text = text.replacen("[vehicle1]\n", &format!("[vehicle1]\nmodel_year = {year}\n"), 1);
+        run(&read(&text), 128).unwrap().tested.map(|class| class.code)
+    };
+    assert_eq!((of_year(1990), of_year(1991)), (None, Some("two-fronts")));
 }
 
 /// A piece that contradicts the rest leaves too few draws to show how far it is off: a run without it does.
@@ -812,8 +823,8 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
             .replace("prior = \"flat\"", &format!("prior = \"flat\"\n{estimate}"));
         of_case(&text).observed.crush.unwrap().0.map(|of| [of.bias, of.shared_ln_sd, of.own_ln_sd])
     };
-    // docs/calibration.md: β = −0.521, σ_c = 0.405 between fronts.
-    let field = [-0.521, 0.405, 0.0];
+    // docs/calibration.md, by category: β = −0.843, σ_c = 0.382 between fronts.
+    let field = [-0.843, 0.382, 0.0];
     for (crush, expected) in [
         (&class, field),
         (&given, [0.0, 0.40, 0.30]),
@@ -824,6 +835,15 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
         for (found, expected) in errors(crush, &class, "")[0].iter().zip(expected) {
             assert!((found - expected).abs() < 1e-12, "{crush} {found} {expected}");
         }
+    }
+    // A car as old as the table has no bias, one of 1988 a third of that of the field.
+    for (year, newer) in [(1950, 0.0), (1977, 0.0), (1988, 1.0 / 3.0), (2010, 1.0), (2024, 1.0)] {
+        let text = format!("{CENTRAL}[vehicle1.crush]\n{class}[vehicle2.crush]\n{class}").replace(
+            "yaw_radius = \"1.4 m\"\n",
+            &format!("yaw_radius = \"1.4 m\"\n{dimensions}model_year = {year}\n"),
+        );
+        let found = of_case(&text).observed.crush.unwrap().0[0].bias;
+        assert!((found - field[0] * newer).abs() < 1e-12, "{year} {found}");
     }
     let [one, two] = errors(&ees, &class, "crush_bias = \"50 %\"\ncrush_error = \"10 %\"");
     assert_eq!(one, two);
@@ -1084,9 +1104,9 @@ fn two_rests_take_few_likelihoods() {
     assert!(estimated.doubts().is_empty() && estimated.ess() >= 1000.0, "{}", estimated.ess());
     assert!(estimated.pieces.iter().all(|piece| piece.alone.is_some() && piece.without.is_some()));
     let all = estimated.posterior.diagnosis().evaluations;
-    // 620,000 with this seed.
-    assert!(all < 680_000, "{all}");
-    assert!(estimated.evaluations < 1_500_000, "{}", estimated.evaluations);
+    // 803,000 with this seed.
+    assert!(all < 880_000, "{all}");
+    assert!(estimated.evaluations < 1_650_000, "{}", estimated.evaluations);
 }
 
 /// A vehicle is not followed if no piece in use needs its path: its rest term then has its maximum.
@@ -1245,7 +1265,8 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
              restitution = 0.1\ntangential = \"critical\"\n[estimate]\nprior = \"field\"\n{estimate}"
         )
     };
-    let object = evidence::FITTED.objects;
+    let object = evidence::FITTED.by_category(&[evidence::DamagedSide::Front]).objects;
+    assert_eq!([object.misfit.bias, object.misfit.ln_sd], [-0.671, 1.372]);
     let setup = of_case(&text("front", "fixed = true\n", ""));
     let (errors, figures) = (setup.observed.crush.unwrap().0[0], setup.observed.figures.unwrap());
     assert_eq!([errors.bias, errors.shared_ln_sd], [object.misfit.bias, object.misfit.ln_sd]);
@@ -1258,7 +1279,7 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     assert_eq!(given.observed.figures, None);
     // A side against an object was not fitted to such crashes.
     let side = of_case(&text("left", "fixed = true\n", ""));
-    assert_eq!(side.observed.crush.unwrap().0[0].bias, evidence::FITTED.crush_bias);
+    assert_eq!(side.observed.crush.unwrap().0[0].bias, -0.794);
 }
 
 /// The answer for a serious injury, shown next to that of the field, equals the one from a run with that

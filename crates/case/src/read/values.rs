@@ -369,13 +369,19 @@ impl<'t> Reader<'t> {
         read.into_iter().collect()
     }
 
-    /// A whole number from 1 to the last that the row of its key allows.
-    pub(super) fn counted(&mut self, place: &Place<'t>, table: &Table<'t>, key: &'static str) -> Option<u8> {
-        let Form::Count(last) = table.schema.key(key)?.form else { return None };
+    /// A whole number in the range that the row of its key allows.
+    pub(super) fn counted<N: TryFrom<u16>>(
+        &mut self,
+        place: &Place<'t>,
+        table: &Table<'t>,
+        key: &'static str,
+    ) -> Option<N> {
+        let Form::Count(first, last) = table.schema.key(key)?.form else { return None };
         self.not_a_range(table, key, place.value)?;
-        let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
-        let range = format!("a whole number from 1 to {last}");
-        self.certain_number(place, key, range, |number| of(number).is_some()).and_then(of)
+        let of = |number: f64| (first..=last).find(|&whole| f64::from(whole) == number);
+        let range = format!("a whole number from {first} to {last}");
+        let number = self.certain_number(place, key, range, |number| of(number).is_some())?;
+        N::try_from(of(number)?).ok()
     }
 
     /// A text that is not empty.

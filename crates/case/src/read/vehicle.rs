@@ -48,6 +48,8 @@ impl<'t> Reader<'t> {
             mass: self.mass(&table),
             yaw: self.yaw(&table),
             class: self.class(&table),
+            model_year: Place::of_key(&table, "model_year")
+                .and_then(|place| self.counted(&place, &table, "model_year")),
             wheelbase: self.quantity(&table, "wheelbase"),
             track: self.quantity(&table, "track"),
             cg_to_front_axle: self.quantity(&table, "cg_to_front_axle"),

@@ -29,7 +29,7 @@ fn written(form: &Form) -> String {
         Form::Flag => "`true` or `false`".to_owned(),
         Form::Words(words) | Form::Law(words) => ticked(words),
         Form::WordOrAll(words) => format!("{}, or a list of both", ticked(words)),
-        Form::Count(last) => format!("whole number, 1 to {last}"),
+        Form::Count(first, last) => format!("whole number, {first} to {last}"),
         Form::Number(bounds) => format!("number{}", within(bounds)),
         Form::Numbers(bounds) => format!("list of numbers{}", within(bounds)),
         Form::Quantity(dimension, bounds) => format!("{dimension}{}", within(bounds)),

@@ -45,6 +45,7 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
         winsmash: [None; 2],
         recorder: [recorders[i], Some(0.0)],
         is_record_doubted: false,
+        category: None,
     };
     Pair { case: case.to_owned(), vehicles: [vehicle(0), vehicle(1)] }
 }

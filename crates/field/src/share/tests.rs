@@ -28,6 +28,7 @@ fn pair(planes: [Plane; 2], depths: [f64; 2]) -> Pair {
         winsmash: [None; 2],
         recorder: [None; 2],
         is_record_doubted: false,
+        category: None,
     };
     Pair { case: "1".to_owned(), vehicles: [vehicle(0), vehicle(1)] }
 }

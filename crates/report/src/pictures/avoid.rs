@@ -245,14 +245,15 @@ pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Op
         [speed, low, probability, high]
     });
     let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
-    let limit = number(chance.avoided_at_limit, 3);
+    let [_, at_limit, _] = chance.avoided_from(scene.limit);
     Some(ChancePicture {
         title: title(case),
         subtitle: "Probability that the collision is avoided, against the speed at the reaction demand"
             .to_owned(),
         description: format!(
-            "The probability falls with the speed. At the limit of {} it is {limit}.",
-            units.road_speed(scene.limit)
+            "The probability falls with the speed. At {}, the limit, it is {}.",
+            units.road_speed(scene.limit),
+            number(at_limit, 3)
         ),
         across: axis(units, "speed", Measure::RoadSpeed),
         decimals: 1,

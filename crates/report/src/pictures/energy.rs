@@ -13,7 +13,10 @@ use crate::units::Measure;
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
     let exchange = analysis.exchange().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
     let energy = exchange.energy;
-    let crush = [0, 1].map(|i| analysis.vehicles[i].crush_energy().unwrap_or_default());
+    let known = [0, 1].map(|i| analysis.vehicles[i].crush_energy());
+    // A vehicle whose crush is not known has a part of the work, too.
+    let is_open = case.vehicles.iter().zip(known).any(|(given, known)| !given.fixed && known.is_none());
+    let crush = known.map(|known| known.filter(|_| !is_open).unwrap_or_default());
     let total = crush[0] + crush[1];
     // (%)
     let share = |joule: f64| number(100.0 * joule / energy.before, 1);
@@ -54,7 +57,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         initial: bar("initial kinetic energy", energy.before),
         losses,
         rest: bar("final motion", energy.after),
-        note: note(analysis, total, energy.normal_work, units),
+        note: note(analysis, crush, energy.normal_work, units),
     })
 }
 
@@ -75,7 +78,8 @@ fn agrees(analysis: &Analysis) -> bool {
     analysis.found.is_some() || analysis.checks.iter().any(is_same)
 }
 
-fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> String {
+fn note(analysis: &Analysis, crushes: [f64; 2], normal_work: f64, units: Units) -> String {
+    let crush = crushes[0] + crushes[1];
     let mut note = "Each bar begins where the one above it ends.".to_owned();
     if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Measure::Energy, si);
@@ -88,10 +92,13 @@ fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> Stri
             _ => "the damage and the impact do not agree".to_owned(),
         };
         note.push_str(&format!(
-            " The crush energy is {}, the normal work {}: {why}. The bars share the normal work as the crush energies do.",
+            " The crush energy is {}, the normal work {}: {why}.",
             energy(crush),
             energy(normal_work)
         ));
+        if crushes.iter().all(|crush| *crush > 0.0) {
+            note.push_str(" The bars share the normal work as the crush energies do.");
+        }
     }
     note
 }

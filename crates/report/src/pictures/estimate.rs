@@ -14,7 +14,7 @@ use super::{scale_unit, title};
 use crate::document::Undrawn;
 use crate::estimates::Asked;
 use crate::outputs::{label, pictured};
-use crate::units::{Measure, Units, grouped};
+use crate::units::{Measure, Units, grouped, number};
 
 /// Points of a curve, and places of a grid along each axis.
 const POINTS: usize = 240;
@@ -59,15 +59,21 @@ fn density_picture(
     let draws = estimated.draws(output)?;
     let before = estimated.draws_before(output);
     let summary = &found.posterior;
-    let own = curve(draws, summary, estimated.ess(), None)?;
+    let own = curve(draws, estimated.ess(), None)?;
     let ends = [own.first()?[0], own.last()?[0]];
     // Only as much of the prior as leaves the curve of the answer wide enough.
     let wide = before.zip(found.prior.as_ref()).map(|(draws, prior)| {
         let [low, high] = [prior.intervals[2].low.value, prior.intervals[2].high.value];
         let most = 1.5 * (ends[1] - ends[0]);
-        (draws, prior, [ends[0].min(low).max(ends[0] - most), ends[1].max(high).min(ends[1] + most)])
+        (draws, [ends[0].min(low).max(ends[0] - most), ends[1].max(high).min(ends[1] + most)])
     });
-    let before = wide.and_then(|(draws, prior, ends)| curve(draws, prior, estimated.ess(), Some(ends)));
+    let before = wide.and_then(|(draws, ends)| curve(draws, estimated.ess(), Some(ends)));
+    let stationary = match 100.0 * stationary(draws) {
+        share if share > 0.0 => {
+            format!(", without the {} % for a stationary vehicle", number(share, usize::from(share < 1.0)))
+        }
+        _ => String::new(),
+    };
     let measure = pictured(output);
     let unit = units.size(measure);
     let label = label(output, measure, units);
@@ -83,11 +89,11 @@ fn density_picture(
     Some(DensityPicture {
         name: "density",
         subtitle: format!(
-            "How probable each value is, before the evidence and after it\n{}",
+            "How probable each value is, before the evidence and after it{stationary}\n{}",
             origin(case, estimated, asked)
         ),
         description: format!(
-            "{label}: how probable each value is, given all evidence. 95 % interval and median:"
+            "{label}: how probable each value is, given all evidence{stationary}. 95 % interval and median:"
         ),
         across: Axis { title: label.clone(), unit },
         title: label,
@@ -107,10 +113,20 @@ fn answer(estimated: &Estimated, output: Output) -> Option<&EstimatedOutput> {
     estimated.output(output).filter(|found| estimated.doubts().is_empty() && found.varies())
 }
 
-/// (unit of the draws) the reach of a kernel for draws that are worth `independent` independent ones.
-fn bandwidth(summary: &DrawsSummary, independent: f64, power: f64) -> f64 {
-    let half = &summary.intervals[0];
-    let spread = Real::min(summary.sd.value, (half.high.value - half.low.value) / 1.349);
+/// (–) the share of draws that are exactly zero: speeds of a stationary vehicle.
+#[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
+fn stationary(draws: &[f64]) -> f64 {
+    draws.iter().filter(|draw| **draw == 0.0).count() as f64 / draws.len() as f64
+}
+
+/// (unit of the draws) the reach of a kernel for sorted draws that are worth `independent` independent ones.
+fn bandwidth(sorted: &[f64], independent: f64, power: f64) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
+    let count = sorted.len() as f64;
+    let mean = sorted.iter().sum::<f64>() / count;
+    let square = sorted.iter().map(|draw| (draw - mean) * (draw - mean)).sum::<f64>() / count;
+    let at = |quarter: usize| sorted[(sorted.len() - 1) * quarter / 4];
+    let spread = Real::min(Real::sqrt(square), (at(3) - at(1)) / 1.349);
     // Silverman's rule of thumb.
     BIWEIGHT * 0.9 * spread * Real::power(Real::max(independent, 2.0), power)
 }
@@ -121,14 +137,17 @@ fn kernel(u: f64) -> f64 {
     if rest > 0.0 { 0.9375 * rest * rest } else { 0.0 }
 }
 
-/// The density of draws; between their extremes, or in a range.
-fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
-    let reach = bandwidth(summary, ess, -0.2);
+/// The density of the draws that are not zero; between their extremes, or in a range.
+fn curve(draws: &[f64], ess: f64, ends: Option<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
+    let mut sorted: Vec<f64> = draws.iter().copied().filter(|draw| *draw != 0.0).collect();
+    if sorted.is_empty() {
+        return None;
+    }
+    sorted.sort_by(f64::total_cmp);
+    let reach = bandwidth(&sorted, ess * (1.0 - stationary(draws)), -0.2);
     if !(reach.is_finite() && reach > 0.0) {
         return None;
     }
-    let mut sorted = draws.to_vec();
-    sorted.sort_by(f64::total_cmp);
     let at = |share: usize| sorted.get((sorted.len() - 1) * share / 1000).copied();
     let [low, high] = match ends {
         Some(ends) => ends,
@@ -160,18 +179,32 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     let summaries = [&one?.posterior, &two?.posterior];
     let [first, second] = outputs.map(|output| estimated.draws(output));
     let columns = [first?, second?];
-    let reaches = summaries.map(|summary| bandwidth(summary, estimated.ess(), -1.0 / 6.0));
-    let ends = [0, 1].map(|axis| {
-        let mut sorted = columns[axis].to_vec();
+    // The regions are those of the draws in which both vehicles move.
+    let both = || columns[0].iter().zip(columns[1]).filter(|(x, y)| **x != 0.0 && **y != 0.0);
+    let moving: [Vec<f64>; 2] = [both().map(|(x, _)| *x).collect(), both().map(|(_, y)| *y).collect()];
+    #[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
+    let share = moving[0].len() as f64 / columns[0].len() as f64;
+    let sorted = moving.each_ref().map(|column| {
+        let mut sorted = column.clone();
         sorted.sort_by(f64::total_cmp);
-        let last = sorted.len() - 1;
-        [sorted[last * 2 / 1000] - reaches[axis], sorted[last * 998 / 1000] + reaches[axis]]
+        sorted
     });
-    let grid = Grid::of(columns, reaches, ends);
-    let mut at_draws: Vec<f64> =
-        columns[0].iter().zip(columns[1]).map(|(x, y)| grid.density([*x, *y])).collect();
+    let last = sorted[0].len().checked_sub(1)?;
+    let reaches = sorted.each_ref().map(|sorted| bandwidth(sorted, share * estimated.ess(), -1.0 / 6.0));
+    let ends = [0, 1].map(|axis| {
+        let [low, high] = [2, 998].map(|part| sorted[axis][last * part / 1000]);
+        let [low, high] = [low - reaches[axis], high + reaches[axis]];
+        // A stationary vehicle lies within.
+        if stationary(columns[axis]) > 0.0 {
+            [low.min(-0.02 * high), high.max(0.02 * -low)]
+        } else {
+            [low, high]
+        }
+    });
+    let grid = Grid::of([&moving[0], &moving[1]], reaches, ends);
+    let mut at_draws: Vec<f64> = both().map(|(x, y)| grid.density([*x, *y])).collect();
     at_draws.sort_by(f64::total_cmp);
-    let last = at_draws.len() - 1;
+    let of_moving = if share < 1.0 { " in which both move" } else { "" };
     let is_inside =
         |draw: &[f64; 2]| (0..2).all(|axis| ends[axis][0] < draw[axis] && draw[axis] < ends[axis][1]);
     let step = columns[0].len().div_ceil(SHOWN).max(1);
@@ -186,8 +219,8 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
         title: "Both speeds".to_owned(),
         subtitle: format!("Which speeds go together\n{}", origin(case, estimated, asked)),
         description: format!(
-            "Draws of both speeds, around {} of vehicle 1 and {} of vehicle 2, with the regions that hold half of \
-             them and 95 % of them.",
+            "Draws of both speeds, around {} of vehicle 1 and {} of vehicle 2, with the regions that hold half and \
+             95 % of those{of_moving}.",
             speed(summaries[0]),
             speed(summaries[1])
         ),
@@ -197,7 +230,11 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
         draws: draws.filter(is_inside).collect(),
         levels: [at_draws[last / 2], at_draws[last / 20]],
         density: grid.rows,
-        legend: ["draws", "region that holds 50 % of them", "region that holds 95 %"].map(str::to_owned),
+        legend: [
+            "draws".to_owned(),
+            format!("region that holds 50 % of those{of_moving}"),
+            "region that holds 95 %".to_owned(),
+        ],
     })
 }
 

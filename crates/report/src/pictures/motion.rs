@@ -19,6 +19,11 @@ use crate::units::{Measure, number};
 /// (m/s) a vehicle stood if the speed found is at most this, 1 km/h.
 const STANDING: f64 = 1.0 / 3.6;
 
+/// What the pictures show, for readers who cannot see them.
+const FROM_ABOVE: &str = "Both vehicles from above, from approach through impact to rest, to scale.";
+const OVER_TIME: &str =
+    "Speed, yaw rate and heading over the time since the impact, one chart below the other.";
+
 /// The number of parts drawn for each step of the integration, which may be a second long.
 const PARTS: u32 = 12;
 
@@ -34,11 +39,15 @@ pub(super) fn picture(
         return Err(DrawingError::NoMotion { subject: Subject::Motion });
     }
     let surface = analysis.surface.as_ref();
-    let caveat = plain.map_or_else(|| caveat(analysis), |speeds| PlainSpeed::caveat(speeds).to_owned());
+    let caveat = match plain.map(PlainSpeed::caveat) {
+        None => caveat(analysis),
+        Some(of_speeds) if analysis.why_not_exact().is_none() => of_speeds.to_owned(),
+        Some(of_speeds) => format!("{of_speeds} The paths are those of an exact solution.").trim().to_owned(),
+    };
     let speed = |id: VehicleId| plain.map(|speeds| speeds[id.index()]);
     Ok(MotionPicture {
         title: title(case),
-        description: with_caveat(description(analysis, units), &caveat),
+        description: with_caveat(description(analysis, units, FROM_ABOVE), &caveat),
         caveat,
         is_z_down: case.axes == Axes::ZDown,
         is_plain: plain.is_some(),
@@ -161,11 +170,15 @@ fn vehicle(
             })
         }),
         measured_points: travel.map_or_else(Vec::new, |travel| {
+            let have_points =
+                |travel: &Option<Travel>| travel.as_ref().is_some_and(|one| !one.points.is_empty());
+            let whose =
+                if analysis.travel.iter().all(have_points) { format!("v{id} ") } else { String::new() };
             let point = |(n, point): (usize, &PointData)| MeasuredPoint {
                 at: point.position.into(),
                 label: match point.wheel {
-                    Some(wheel) => format!("point {}, {} wheel", n + 1, wheel.name()),
-                    None => format!("point {}", n + 1),
+                    Some(wheel) => format!("{whose}point {}, {} wheel", n + 1, wheel.name()),
+                    None => format!("{whose}point {}", n + 1),
                 },
             };
             travel.points.iter().enumerate().map(point).collect()
@@ -252,9 +265,8 @@ fn marks(travel: &Travel, moments: &[Moment]) -> Vec<Vec<[f64; 2]>> {
     marks
 }
 
-fn description(analysis: &Analysis, units: Units) -> String {
-    let mut sentences =
-        vec!["Both vehicles from above, from approach through impact to rest, to scale.".to_owned()];
+fn description(analysis: &Analysis, units: Units, what: &str) -> String {
+    let mut sentences = vec![what.to_owned()];
     for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
         let Some(travel) = travel else { continue };
         sentences.push(format!(
@@ -292,7 +304,7 @@ pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<C
         name: "motion-curves",
         title: title(case),
         subtitle: "From the impact to rest".to_owned(),
-        description: with_caveat(description(analysis, units), &caveat),
+        description: with_caveat(description(analysis, units, OVER_TIME), &caveat),
         caveat,
         height: 170.0,
         is_thinned: true,

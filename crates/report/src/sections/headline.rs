@@ -137,8 +137,8 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
 fn takes(share: f64) -> String {
     let share = number(100.0 * share, 0);
     format!(
-        "takes crush energies from a stiffness category at face value, although in real crashes they were on average {share} % of \
-         the energy of the impact"
+        "takes crush energies from a stiffness category at face value, although they are on average {share} % of the \
+         energy of the impact"
     )
 }
 

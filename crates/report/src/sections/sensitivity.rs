@@ -37,7 +37,8 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
         };
         page.paragraph(format!(
             "{of_what}{of_time} They are ranked by influence: the change of the result in % for 1 % of the input, for \
-             1° of an angle, or for 10 cm of a coordinate of the scene (the zero of these two is arbitrary)."
+             1° of an angle, for 10 cm of a coordinate of the scene (the zero of these two is arbitrary), or for \
+             1 cm of a contact point that the program placed."
         ));
     }
     if sensitivity.pdof_sweep.is_empty() {

@@ -10,7 +10,7 @@ use real::Real;
 
 use super::{DEGREE, Subject};
 use crate::damage::assess;
-use crate::errors::{crush_misfit, is_with_object};
+use crate::errors::{category_misfit, is_with_object};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::uncertainty::UncertainInput;
 
@@ -129,7 +129,7 @@ pub(super) fn crush_errors(
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
-    let misfit = crush_misfit(case, hit);
+    let misfit = category_misfit(case, hit);
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
         let has_range = ranges.iter().any(|range| {
@@ -137,7 +137,7 @@ pub(super) fn crush_errors(
             let of_energy = [".crush.stiffness", ".crush.ees", ".deformation_energy"];
             of_energy.iter().any(|start| key.starts_with(start))
         });
-        let usual = FITTED.energy_error(method, misfit, has_range);
+        let usual = FITTED.energy_error(method, misfit, case.vehicles[id.index()].model_year, has_range);
         if method == EnergyMethod::OfObject {
             // The errors of crush energies that a case gives do not apply to an object.
             return Some(usual);
@@ -158,7 +158,7 @@ pub(super) fn crush_errors(
         }
         [None, None] => misfit.into(),
     };
-    // Only the misfit of a class stiffness was fitted.
+    // Only the misfit of a category was fitted.
     let behind = |method: Option<EnergyMethod>| match method {
         Some(EnergyMethod::Class) => {
             Behind::Misfit { bias: given.crush_bias.is_none(), spread: given.crush_error.is_none() }
@@ -169,10 +169,11 @@ pub(super) fn crush_errors(
         [Some(_), Some(_)] => methods.map(behind),
         [known, None] | [None, known] => [behind(known); 2],
     };
+    let fitted = FITTED.by_category(hit);
     let figures = if is_with_object(case, hit) {
-        FITTED.objects.figures(behind)
+        fitted.objects.figures(behind)
     } else {
-        FITTED.crush_figures(hit, behind)
+        fitted.crush_figures(hit, behind)
     };
     (errors, figures)
 }

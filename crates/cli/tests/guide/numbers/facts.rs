@@ -266,12 +266,21 @@ fn estimate(ledger: &mut Ledger) {
     ledger.page("docs/guide/estimate.md");
     let guide = page("docs/guide/case-file.md");
     // ln of the share of the impact's energy that the crush shows.
-    let share = evidence::FITTED.crush_bias.exp();
-    let shown = number(100.0 * share, 0);
-    ledger.quoted(&format!("average {shown} % … show"), &guide, "59 % for a class or category");
-    ledger.made(format!("multiplied by {}.", number(1.0 / share, 2)));
+    let share = |hit: &[evidence::DamagedSide]| {
+        number(100.0 * evidence::FITTED.by_category(hit).crush_misfit(hit).bias.exp(), 0)
+    };
+    let fronts = share(&[evidence::DamagedSide::Front; 2]);
+    let sides = share(&[evidence::DamagedSide::Side]);
+    let rears = share(&[evidence::DamagedSide::Rear]);
+    ledger.cited("cars of the 1970s", "the age of the crash tests behind CRASH3's table");
+    ledger.cited("crashes of 2017", "the data of docs/calibration.md");
+    ledger.quoted(&format!("average {fronts} % … between two fronts"), &guide, "43 % between two fronts");
+    ledger.quoted(&format!("{sides} % where a side was hit"), &guide, "45 % where a side was hit");
+    ledger.quoted(&format!("{rears} % where a rear was hit"), &guide, "87 % where a rear was hit");
+    ledger.quoted("older car … 1977", &page("docs/theory.md"), "(year − 1977)/(2010 − 1977)");
     let misfit = evidence::FITTED.objects.misfit;
-    let deformation_energy = evidence::FITTED.energy_error(evidence::EnergyMethod::OfObject, misfit, false);
+    let deformation_energy =
+        evidence::FITTED.energy_error(evidence::EnergyMethod::OfObject, misfit, None, false);
     let percent = |ln_sd: f64| number(100.0 * ln_sd, 0);
     ledger.made(format!("error is an assumption: {} %", percent(deformation_energy.shared_ln_sd)));
     ledger.made(format!("without a range, another {} %", percent(deformation_energy.own_ln_sd)));
@@ -395,6 +404,7 @@ fn sensitivity(ledger: &mut Ledger) {
     ledger.cited("1 % … input", "the definition");
     ledger.cited("1° … angle", "the definition");
     ledger.cited("10 cm … coordinate", "the definition");
+    ledger.cited("1 cm … contact point", "the definition");
     // By trial, not by the derivative.
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {

@@ -241,7 +241,7 @@ fn ranges(ledger: &mut Ledger) {
     ledger.made(format!("in {sets} … scrambled"));
     ledger.cited("100:2008) … equation … 10", "the place of the equation");
     ledger.made(format!("samples … {} %", number(100.0 * uncertainty::FIRST_ORDER_LIMIT, 0)));
-    ledger.cited("change … 1 % … 1° … 1 cm", "the definition");
+    ledger.cited("change … 1 % … 1° … 10 cm … 1 cm", "the definition");
 }
 
 /// The analysis, with its warnings, of the paper's example with both speeds and these changes.
@@ -297,7 +297,18 @@ fn warnings(ledger: &mut Ledger) {
     ledger.cited("below the bound by more than 5 km/h", least);
     ledger.cited("more than 45° off", "SKID_ASTRAY in crates/analysis/src/warning.rs");
     ledger.cited("recorders of crashes of 2017", "the data of docs/calibration.md");
-    ledger.made(format!("average {} % … impact took", number(100.0 * evidence::FITTED.crush_bias.exp(), 0)));
+    let share =
+        |fitted: &evidence::Fitted, bias: fn(&evidence::Fitted) -> f64| number(100.0 * bias(fitted).exp(), 0);
+    let of =
+        |hit: evidence::DamagedSide| share(&evidence::FITTED.by_category(&[hit]), |fitted| fitted.crush_bias);
+    let object = evidence::FITTED.by_category(&[evidence::DamagedSide::Front]);
+    ledger.made(format!(
+        "average {} % … impact took … {} % … side … {} % … rear … {} % … object",
+        of(evidence::DamagedSide::Front),
+        of(evidence::DamagedSide::Side),
+        of(evidence::DamagedSide::Rear),
+        share(&object, |fitted| fitted.objects.misfit.bias)
+    ));
     ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
     ledger.made(format!("hour of the clock by more … {:.0}°", (clock(2) - clock(1)) / 2.0));
     ledger.made(format!("more than … {:.0}° for each", (clock(2) - clock(1)) / 2.0));
