@@ -122,3 +122,34 @@ impl PairVehicle {
         (delta_v > 0.0).then_some(delta_v)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PairVehicle, Plane};
+
+    /// By hand: wheelbases of 2.36, 2.50, 2.71, 2.86 and 3.33 m.
+    #[test]
+    fn the_category_is_that_of_the_nearest_wheelbase() {
+        for (curb_mass, category) in [(1000.0, 1), (1170.0, 2), (1450.0, 3), (1680.0, 4), (2500.0, 5)] {
+            let vehicle = PairVehicle {
+                number: None,
+                curb_mass,
+                cargo: None,
+                length: None,
+                width: None,
+                plane: Plane::Front,
+                pdof: 0.0,
+                heading: None,
+                field_length: None,
+                direct_length: None,
+                direct_offset: None,
+                depths: [0.0; 6],
+                winsmash: [None; 2],
+                recorder: [None; 2],
+                is_record_doubted: false,
+                category: None,
+            };
+            assert_eq!(vehicle.usual_category(), category, "{curb_mass}");
+        }
+    }
+}
