@@ -63,6 +63,17 @@ fn a_scene_without_speeds_has_the_warnings_of_check() {
     assert!(said.contains(&format!("has 1 warning: `deltav check {case}` prints them.")), "{said}");
 }
 
+/// Against a tree, crush hardly says anything: a picture for a jury does not promise a speed that it lacks.
+#[test]
+fn a_plain_scene_says_that_a_speed_is_not_determined() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/leaning-tree.toml");
+    let svg = String::from_utf8(run(&["draw", case, "--what", "scene", "--plain"]).stdout).unwrap();
+    assert!(
+        svg.contains("does not determine the speed that is not drawn") && !svg.contains(">before: "),
+        "{svg}"
+    );
+}
+
 /// Vehicle 2 was probably stationary: its density and the regions of both speeds are those of the draws in
 /// which it moved, and the picture says how many it leaves out.
 #[test]
