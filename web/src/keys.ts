@@ -10,7 +10,7 @@ import { texts } from "./texts/en.js";
 const ORDER: Record<string, string[]> = {
   "": ["vehicle1", "vehicle2", "impact", "scene", "surface", "reconstruct", "avoid", "estimate", "uncertainty", "report"],
   vehicle: [
-    "name", "kind", "fixed", "mass", "weight", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "deformation_energy", "yaw_inertia", "yaw_radius",
+    "name", "kind", "model_year", "fixed", "mass", "weight", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "deformation_energy", "yaw_inertia", "yaw_radius",
     "crush", "heading", "contact", "position", "sideslip", "speed", "velocity", "yaw_rate", "certain_speed", "before", "after", "recorder",
   ],
   "vehicle.crush": ["side", "width", "depths", "spacing", "offset", "pdof", "ees", "stiffness"],

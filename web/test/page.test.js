@@ -861,7 +861,7 @@ onPage("the form asks in the order in which one knows things: vehicles, damage, 
   assert.deepEqual(await keys(vehicle), ["name", "weight", "yaw_inertia", "heading", "crush", "contact"]);
   await page.locator(`${vehicle} > .more`).evaluate((more) => (more.open = true));
   assert.deepEqual(await keys(`${vehicle} > .more > .group-body`), [
-    "kind", "fixed", "mass", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "deformation_energy", "yaw_radius",
+    "kind", "model_year", "fixed", "mass", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "deformation_energy", "yaw_radius",
     "sideslip", "speed", "yaw_rate", "position", "velocity", "certain_speed", "before", "after", "recorder",
   ]);
   assert.deepEqual(await keys(`${vehicle} > [data-key="vehicle1.crush"] > .group-body`), ["crush.side", "crush.width", "crush.depths", "crush.stiffness"]);
