@@ -332,3 +332,19 @@ fn the_estimate_is_drawn() {
     assert!(said(&output).contains(sentence), "{}", said(&output));
     assert!(!svg.exists());
 }
+
+/// A car of the 1970s beside one of the field: their energies by category have different biases.
+#[test]
+fn the_energies_of_cars_of_two_ages_are_told_apart() {
+    let text = include_str!("../../../fixtures/estimate.toml");
+    let old = text.replacen("[vehicle1]\n", "[vehicle1]\nmodel_year = 1976\n", 1);
+    assert_ne!(old, text);
+    let output = estimate(&written("ages.toml", &old), &[]);
+    let said = String::from_utf8(output.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+    for sentence in [
+        "Energies of vehicle 1 by CRASH3's categories are taken as right on average.",
+        "Energies of vehicle 2 by CRASH3's categories are on average 45 %",
+    ] {
+        assert!(said.contains(sentence), "{said}");
+    }
+}

@@ -221,21 +221,27 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let bias = error.bias;
         let shown = percent(1.0 / error.factor());
         let times = significant(error.factor(), 3);
+        // Two cars of different model years have different biases.
+        let of_other = estimated.energies[id.other().index()].filter(|other| *other == method);
+        let whose = match of_other {
+            Some(_) if errors[id.other().index()].bias != bias => format!(" of vehicle {id}"),
+            _ => String::new(),
+        };
         let (energies, usual_error) = match method {
             EnergyMethod::Class => {
-                ("Energies by CRASH3's categories", "Their error is that found in crashes with recorders.")
+                ("by CRASH3's categories", "Their error is that found in crashes with recorders.")
             }
             EnergyMethod::Coefficients => (
-                "Energies from the stiffness that the case gives",
+                "from the stiffness that the case gives",
                 "Their error is the part of the error in real crashes that is not due to the stiffness and, \
                  if the case gives no range for the stiffness, the error of the stiffness (RICSAC).",
             ),
             EnergyMethod::Test => (
-                "Energies from a barrier test of the car",
+                "from a barrier test of the car",
                 "Their error is that of CRASH3 on car-to-car tests (Lenard 2000).",
             ),
             EnergyMethod::Ees => (
-                "Energies from an EES",
+                "from an EES",
                 "Their error is chosen: 10 % of the speed for the method and, if the EES has no range, \
                  another 10 % for each vehicle.",
             ),
@@ -244,6 +250,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                 continue;
             }
         };
+        let energies = format!("Energies{whose} {energies}");
         let bias_words = match (is_default("estimate.crush_bias"), bias == 0.0) {
             (true, false) => format!(
                 "{energies} are on average {shown} % of what such an impact takes; they are multiplied by {times} \
