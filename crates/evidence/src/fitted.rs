@@ -63,8 +63,8 @@ const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd:
 const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.30 };
 
 /// (years) the model years between which the bias of energies by a category of CRASH3's table grows from
-/// nothing to that of the field: the year of the RICSAC cars, for which they are right on average, and the mean
-/// year of the field.
+/// nothing to that of the field: the year of the RICSAC cars, for which they are right on average, and the
+/// mean year of the field.
 const MODEL_YEARS: [f64; 2] = [1977.0, 2010.0];
 
 /// The misfit of energies by a category of CRASH3's table in the field: for fronts only, if a rear was hit,
