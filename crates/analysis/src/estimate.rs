@@ -315,7 +315,12 @@ pub fn estimate(
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
-    let are_of_field = case.vehicles.iter().all(|vehicle| TestedClass::has_cars_of(vehicle.model_year));
+    // Only an energy by a category depends on the age of the car.
+    let is_of_field = |id: VehicleId| {
+        energies[id.index()] != Some(EnergyMethod::Class)
+            || TestedClass::has_cars_of(case.vehicles[id.index()].model_year)
+    };
+    let are_of_field = VehicleId::ALL.into_iter().all(is_of_field);
     let tested = match hit {
         _ if !is_field || !are_of_field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),

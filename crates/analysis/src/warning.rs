@@ -680,20 +680,19 @@ pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warn
         data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
     });
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
+    if of == [false; 2] || is_corrected {
+        return None;
+    }
+    let years =
+        || case.vehicles.iter().zip(of).filter_map(|(vehicle, is_of)| is_of.then_some(vehicle.model_year));
     let misfit = category_misfit(case, &damaged_sides(case));
-    let biases =
-        case.vehicles.iter().zip(of).filter(|(_, is_of)| *is_of).map(|(vehicle, _)| {
-            FITTED.energy_error(EnergyMethod::Class, misfit, vehicle.model_year, false).bias
-        });
+    let bias = |year| FITTED.energy_error(EnergyMethod::Class, misfit, year, false).bias;
     // The energy of the car that differs more from the table.
-    let bias = biases.fold(0.0, f64::min);
+    let bias = years().map(bias).fold(0.0, f64::min);
     let share = real::elementary::exp(bias);
-    let is_corrected = is_corrected || bias == 0.0;
     let is_alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let is_year_assumed =
-        case.vehicles.iter().zip(of).any(|(vehicle, is_of)| is_of && vehicle.model_year.is_none());
-    let warning = Warning::CategoryEnergy { of, share, is_alone, is_year_assumed };
-    (of != [false; 2] && !is_corrected).then_some(warning)
+    let is_year_assumed = years().any(|year| year.is_none());
+    (bias < 0.0).then_some(Warning::CategoryEnergy { of, share, is_alone, is_year_assumed })
 }
 
 /// Warnings about a speed (m/s) that was found.

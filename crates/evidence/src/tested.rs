@@ -96,7 +96,7 @@ const AFTER: TestedClass = TestedClass {
 };
 
 impl TestedClass {
-    /// Whether a car may be one of those of the field.
+    /// Whether the cars with stiffnesses by category were of this model year; one that is not known may be.
     #[must_use]
     pub fn has_cars_of(model_year: Option<u16>) -> bool {
         model_year.is_none_or(|year| year >= OLDEST)

@@ -260,7 +260,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*found)
         ),
         Warning::CategoryEnergy { of, share, is_alone, is_year_assumed } => format!(
-            "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {} crush \
+            "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {}, crush \
              energies from it are on average {} % of what the impact takes, and this answer takes them as they \
              are, so {}",
             match of {
@@ -269,9 +269,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 _ => "vehicle 2",
             },
             if *is_year_assumed {
-                "cars of about 2010 (give `model_year` if it differs),"
+                "cars of about 2010 (give `model_year` if it differs)"
             } else {
-                "its `model_year`,"
+                "cars of the stated `model_year`"
             },
             number(100.0 * share, 0),
             if *is_alone {

@@ -117,6 +117,18 @@ fn the_judged_collisions_are_named() {
         run(&read(&text), 128).unwrap().tested.map(|class| class.code)
     };
     assert_eq!((of_year(1990), of_year(1991)), (None, Some("two-fronts")));
+    // The age counts for a stiffness by category alone: RICSAC's cars have stiffnesses of their own.
+    let staged = |id: u8, heading: u16| {
+        vehicle(id, heading, "").replace("category = 3", "A = \"300 N/cm\", B = \"40 N/cm^2\"")
+            + &format!("[vehicle{id}.after]\nspeed = \"10 km/h\"\ndirection = \"0 deg\"\n")
+    };
+    let text = format!(
+        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = {{ friction = 0.5 }}\n",
+        staged(1, 0).replacen("[vehicle1]\n", "[vehicle1]\nmodel_year = 1974\n", 1),
+        staged(2, 180)
+    );
+    let tested = run(&read(&text), 128).unwrap().tested.map(|class| class.code);
+    assert_eq!(tested, Some("velocities-after"));
 }
 
 /// A piece that contradicts the rest leaves too few draws to show how far it is off: a run without it does.

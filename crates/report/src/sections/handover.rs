@@ -417,8 +417,8 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
     });
     if let Some(share) = analysis.warnings.iter().find_map(Warning::energy_share) {
         page.paragraph(format!(
-            "The categories of CRASH3 were made for the cars of these tests, of the 1970s. In crashes of 2017, \
-             energies by categories were on average {} % of what recorders show, so that today such speeds are \
+            "The categories of CRASH3 were made for the cars of these tests, of the 1970s. For those of this \
+             case, energies by categories are on average {} % of what the impact takes, so that such speeds are \
              on average too low.",
             number(100.0 * share, 0)
         ));
