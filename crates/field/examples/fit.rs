@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use evidence::{DamagedSide, FITTED, Fitted, ObjectFigures};
 use field::{
     Crash, Field, FieldError, FigureFit, FitOptions, Folds, KnownCrush, Options, Pair, PairByCategory,
-    PairKind, fit, fit_direction, fit_folds, fit_share, judge_by, read, read_objects,
+    PairKind, fit, fit_direction, fit_folds, fit_share, judge_by, read, read_objects, usual_category,
 };
 
 /// Particles of each island: of the draws behind the fit, and of those behind each judgement.
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let text = std::fs::read_to_string(path)?;
     if let Some(mut crashes) = read_objects(&text)? {
         for crash in &mut crashes {
-            crash.vehicle.category = has_categories.then(|| crash.vehicle.usual_category());
+            crash.vehicle.category = has_categories.then(|| usual_category(crash.vehicle.curb_mass));
         }
         let base = if has_categories { FITTED.by_category(&[DamagedSide::Front]) } else { FITTED };
         let (fit, folds) = fitted(&crashes, &base, folds)?;

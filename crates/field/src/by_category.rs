@@ -6,7 +6,7 @@ use uncertainty::InvalidDistribution;
 
 use crate::crash::{Crash, PairKind};
 use crate::figure::Figure;
-use crate::pair::{Pair, PairVehicle};
+use crate::pair::{Pair, PairVehicle, usual_category};
 
 /// A pair with the category of each vehicle that an analyst would choose.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ impl PairByCategory {
     #[must_use]
     pub fn new(mut pair: Pair) -> Self {
         for vehicle in &mut pair.vehicles {
-            vehicle.category = Some(vehicle.usual_category());
+            vehicle.category = Some(usual_category(vehicle.curb_mass));
         }
         Self(pair)
     }

@@ -157,23 +157,25 @@ pub(crate) struct Placed<'a> {
     pub(crate) shape: &'a Shape,
     /// (rad) heading, and its error.
     pub(crate) heading: [f64; 2],
-    pub(crate) damage: DamagedSide,
     /// (m) width over which it was crushed.
     pub(crate) width: f64,
 }
 
 impl PairVehicle {
-    /// The crush by its category, from the width (m) of the damage, mean depth (m) and mean square depth
-    /// (m²); `None` if its stiffness is that of the fleet. Slope and no-damage speed are left at 1.
-    pub(crate) fn by_category(&self, width: f64, [mean, mean_square]: [f64; 2]) -> Option<CrushNumbers> {
-        let stiffness: Stiffness = Stiffness::from_category(self.plane, self.category?).ok()?;
-        Some(CrushNumbers {
+    /// The crush by its category or by the fleet's stiffness, from the width (m) of the damage, mean depth
+    /// (m) and mean square depth (m²). Slope and no-damage speed are left at 1.
+    pub(crate) fn crush(&self, fitted: &Fitted, width: f64, [mean, mean_square]: [f64; 2]) -> CrushNumbers {
+        let of_category = |category| Stiffness::<f64>::from_category(self.plane, category).ok();
+        let Some(stiffness) = self.category.and_then(of_category) else {
+            return fitted.crush_of(self.plane.into(), width, mean, mean_square);
+        };
+        CrushNumbers {
             constant: width * stiffness.g(),
             linear: width * stiffness.a() * mean,
             square: 0.5 * width * stiffness.b() * mean_square,
             slope: 1.0.into(),
             no_damage_speed: 1.0.into(),
-        })
+        }
     }
 
     /// The fitted figures behind its crush energy.
@@ -190,11 +192,7 @@ impl Placed<'_> {
     pub(crate) fn vehicle(&self, fitted: &Fitted) -> Result<VehicleNumbers, InvalidDistribution> {
         let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
         let shape = self.shape;
-        let [mean, mean_square] = shape.depths;
-        let mut crush = match self.vehicle.by_category(self.width, shape.depths) {
-            Some(crush) => crush,
-            None => fitted.crush_of(self.damage, self.width, mean, mean_square),
-        };
+        let mut crush = self.vehicle.crush(fitted, self.width, shape.depths);
         crush.slope = factor(fitted.slope_ln_sd)?;
         crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
         let [ahead, left] = shape.contact;
@@ -295,7 +293,6 @@ impl Pair {
                 vehicle: &self.vehicles[i],
                 shape: &layout.shapes[i],
                 heading: [layout.headings[i], layout.heading_sds[i]],
-                damage: layout.damages[i],
                 width: layout.widths[i],
             };
             subject.vehicle(fitted)
@@ -342,11 +339,7 @@ impl Pair {
         {
             // The object that crushed it, and the width, are unknown.
             let depths = layout.shapes[known.index()].depths;
-            let [mean, mean_square] = depths;
-            let narrow = match self.vehicles[known.index()].by_category(SIDE_WIDTH, depths) {
-                Some(narrow) => narrow,
-                None => fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square),
-            };
+            let narrow = self.vehicles[known.index()].crush(fitted, SIDE_WIDTH, depths);
             *crush = CrushNumbers { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
         }
         collision.vehicles[other.index()].crush = None;

@@ -59,7 +59,7 @@ pub use figure::Figure;
 pub use fit::{FigureFit, FitOptions, Folds, fit, fit_folds};
 pub use judge::{Field, Figures, Group, Judged, LEVELS, Options, judge, judge_by};
 pub use object::ObjectCrash;
-pub use pair::{Pair, PairVehicle, Plane, Truth};
+pub use pair::{Pair, PairVehicle, Plane, Truth, usual_category};
 pub use read::{read, read_objects};
 pub use recorded::{LastSpeed, RecordedPair, RecorderRow, read_recorders};
 pub use recorders::{

@@ -63,8 +63,7 @@ impl Crash for ObjectCrash {
         given: &[VehicleId],
     ) -> Result<Collision, InvalidDistribution> {
         let (vehicle, shape) = (&self.vehicle, Shape::of(&self.vehicle));
-        let damage = vehicle.plane.into();
-        let placed = Placed { vehicle, shape: &shape, heading: [0.0; 2], damage, width: shape.width };
+        let placed = Placed { vehicle, shape: &shape, heading: [0.0; 2], width: shape.width };
         let object = VehicleNumbers {
             body: None,
             heading: 0.0.into(),

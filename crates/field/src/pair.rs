@@ -56,6 +56,16 @@ const WHEELBASE: [f64; 2] = [0.173, 0.378];
 /// (m) the wheelbases of CRASH3's categories 1 to 5: 93, 96, 105, 114 and 121 in.
 const CATEGORIES: [f64; 5] = [2.362, 2.438, 2.667, 2.896, 3.073];
 
+/// CRASH3's category of a vehicle of this mass (kg), chosen by the wheelbase as an analyst does; the data
+/// lack the wheelbase, which follows from the mass.
+#[must_use]
+pub fn usual_category(curb_mass: f64) -> u8 {
+    let [factor, power] = WHEELBASE;
+    let wheelbase = factor * exp(power * ln(curb_mass));
+    let limits = CATEGORIES.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
+    limits.fold(1, |category, limit| category + u8::from(wheelbase > limit))
+}
+
 /// (kg) mass of the occupants.
 const OCCUPANTS: f64 = 75.0;
 /// (kg) largest load of any passenger vehicle; NHTSA's codes for unknown loads are larger.
@@ -76,16 +86,6 @@ pub struct Truth {
 }
 
 impl PairVehicle {
-    /// CRASH3's category, chosen by the wheelbase as an analyst does; the data lack the wheelbase, which
-    /// follows from the mass.
-    #[must_use]
-    pub fn usual_category(&self) -> u8 {
-        let [factor, power] = WHEELBASE;
-        let wheelbase = factor * exp(power * ln(self.curb_mass));
-        let limits = CATEGORIES.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
-        limits.fold(1, |category, limit| category + u8::from(wheelbase > limit))
-    }
-
     /// (kg) mass with load and occupants.
     #[must_use]
     pub fn mass(&self) -> f64 {
@@ -125,31 +125,13 @@ impl PairVehicle {
 
 #[cfg(test)]
 mod tests {
-    use super::{PairVehicle, Plane};
+    use super::usual_category;
 
     /// By hand: wheelbases of 2.36, 2.50, 2.71, 2.86 and 3.33 m.
     #[test]
     fn the_category_is_that_of_the_nearest_wheelbase() {
         for (curb_mass, category) in [(1000.0, 1), (1170.0, 2), (1450.0, 3), (1680.0, 4), (2500.0, 5)] {
-            let vehicle = PairVehicle {
-                number: None,
-                curb_mass,
-                cargo: None,
-                length: None,
-                width: None,
-                plane: Plane::Front,
-                pdof: 0.0,
-                heading: None,
-                field_length: None,
-                direct_length: None,
-                direct_offset: None,
-                depths: [0.0; 6],
-                winsmash: [None; 2],
-                recorder: [None; 2],
-                is_record_doubted: false,
-                category: None,
-            };
-            assert_eq!(vehicle.usual_category(), category, "{curb_mass}");
+            assert_eq!(usual_category(curb_mass), category, "{curb_mass}");
         }
     }
 }

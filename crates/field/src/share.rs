@@ -66,15 +66,8 @@ fn moments(crush: &CrushNumbers, fitted: &Fitted) -> Option<[f64; 2]> {
 
 fn shares(pair: &Pair, fitted: &Fitted) -> Option<Shares> {
     let layout = Layout::of(pair, fitted);
-    let [one, two] = [0, 1].map(|i| {
-        let depths = layout.shapes[i].depths;
-        let [mean, mean_square] = depths;
-        let crush = match pair.vehicles[i].by_category(layout.widths[i], depths) {
-            Some(crush) => crush,
-            None => fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square),
-        };
-        moments(&crush, fitted)
-    });
+    let [one, two] = [0, 1]
+        .map(|i| moments(&pair.vehicles[i].crush(fitted, layout.widths[i], layout.shapes[i].depths), fitted));
     let ([m1, v1], [m2, v2]) = (one?, two?);
     // By the fleet's stiffness, rears do not differ from fronts.
     let differs = |i: usize| match layout.damages[i] {

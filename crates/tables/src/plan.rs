@@ -270,11 +270,9 @@ impl<'a> Part<'a> {
         (own, around): (Option<&str>, Option<&str>),
     ) -> Result<(), TableError> {
         let of_metadata = field.metadata().get(UNIT).map(String::as_str);
-        if let (Some(named), Some(stored)) = (own, of_metadata)
-            && self
-                .shape
-                .dimension()
-                .is_some_and(|of| unit(named, of).is_some_and(|named| unit(stored, of) != Some(named)))
+        if let (Some(named), Some(stored), Some(of)) = (own, of_metadata, self.shape.dimension())
+            && let Some(known) = unit(named, of)
+            && unit(stored, of) != Some(known)
         {
             return Err(TableError::Unit {
                 column: called.to_owned(),

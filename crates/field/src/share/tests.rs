@@ -83,3 +83,13 @@ fn the_spread_of_the_stiffnesses_is_not_that_of_the_shares() {
 fn no_pair_has_no_shares() {
     assert!(matches!(fit_share(&[], &FITTED), Err(FieldError::NoShares)));
 }
+
+/// The spreads of b₁ and b₀ between the cars of a category are those that a case by category has
+/// (docs/theory.md, section 9): κ = f^(0.59/0.38/2), β = f/κ.
+#[test]
+fn a_category_has_the_spread_of_a_case() {
+    let fitted = FITTED.by_category(&[DamagedSide::Front]);
+    let slope = 0.5 * inputs::STIFFNESS_LN_SD_B;
+    assert!((fitted.slope_ln_sd - slope).abs() < 1e-12);
+    assert!((fitted.no_damage_speed_ln_sd - (inputs::STIFFNESS_LN_SD_A - slope)).abs() < 1e-12);
+}

@@ -99,15 +99,14 @@ pub(super) fn filled(formula: &str, known: &Known, own: &Known, units: Units) ->
                     out.push_str(end.unwrap_or_default());
                     has_factor = true;
                 } else {
-                    length = rest.find(|c: char| !is_of_name(c)).unwrap_or(rest.len());
-                    let name = &rest[..length];
+                    let name = &rest[..rest.find(|c: char| !is_of_name(c)).unwrap_or(rest.len())];
+                    length = name.len();
                     if FUNCTIONS.contains(&name) {
-                        let after = &rest[length..];
-                        let is_squared = after.starts_with('²');
-                        length += if is_squared { '²'.len_utf8() } else { 0 };
-                        length += usize::from(rest[length..].starts_with(' '));
-                        let has_parentheses = rest[length..].starts_with('(');
-                        closing = (!has_parentheses).then_some(if is_squared { ")²" } else { "" });
+                        let is_squared = rest[length..].starts_with('²');
+                        let argument = rest[length..].trim_start_matches(['²', ' ']);
+                        length = rest.len() - argument.len();
+                        // `cos θ` stands for cos(θ), and `tan² α` for (tan(α))².
+                        closing = (!argument.starts_with('(')).then_some(if is_squared { ")²" } else { "" });
                         out.push_str(if is_squared { "(" } else { "" });
                     }
                     out.push_str(name);
