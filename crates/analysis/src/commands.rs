@@ -115,7 +115,7 @@ pub fn uncertainty(
     uncertainty_of(case, plan, &|_| true, progress)
 }
 
-/// The same for only the outputs that are requested: the others are neither kept nor summarised, which saves
+/// The same for only the outputs that are requested: the others are not computed, which saves
 /// most of their time and memory. The results have the same bits.
 ///
 /// # Errors

@@ -23,7 +23,6 @@ use real::Gradient;
 use reconcile::{MomentumError, ReconcileError};
 
 use crate::columns::Number;
-use doubts::Watched;
 pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Alone, Block};
@@ -331,8 +330,7 @@ pub(crate) fn uncertainty_of(
     // These show which samples are doubtful, whatever is requested.
     outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
     let central = central(&nominal, &outputs, case.axes);
-    let watched = Watched::new(case, &inputs, &outputs, &central);
-    let model = Sample { asked, watched, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
+    let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
 
@@ -346,9 +344,10 @@ pub(crate) fn uncertainty_of(
     let of_samples: &mut Progress<'_> = &mut |done, total| progress(Stage::Samples, done, total);
     let propagate = || ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples);
     let (found, propagation) = join(without_samples, propagate);
-    let ((first_order, taken_as_exact, tornado), propagation) = (found?, propagation?);
+    let ((first_order, taken_as_exact, tornado), mut propagation) = (found?, propagation?);
     let is_ended = propagation.evaluated() < propagation.requested();
-    let doubtful = doubts::doubtful(&model, &inputs, &plan.settings, &propagation)?;
+    let doubtful = doubts::doubtful(case, &model, &inputs, &plan.settings, &propagation)?;
+    propagation.truncate(asked);
     let indices = match plan.index_rows {
         Some(samples) if !is_ended => {
             let settings = Settings { samples, ..plan.settings };
@@ -600,8 +599,6 @@ struct Sample<'a> {
     /// The starting points of the search for the starts of paths.
     search: Search,
     outputs: &'a [Output],
-    /// Number of requested outputs, which come first; the others show which samples are doubtful.
-    asked: usize,
     /// (SI) the outputs at the central values.
     central: &'a [f64],
     /// For each number of the case, whether it is uncertain.
@@ -610,8 +607,6 @@ struct Sample<'a> {
     case: Case,
     /// The shared errors, if there are any.
     shared: Option<Shared>,
-    /// The counters of doubtful samples.
-    watched: Watched,
     /// The same for a block at once, or why the shape of the case does not allow that.
     block: Result<Block, Alone>,
 }
@@ -656,12 +651,10 @@ impl<'a> Sample<'a> {
             is_by_crush: nominal.found.is_some() || nominal.both.as_ref().is_some_and(BothFound::is_by_crush),
             search,
             outputs,
-            asked: outputs.len(),
             central,
             is_uncertain,
             case,
             shared,
-            watched: Watched::default(),
             block,
         }
     }
@@ -817,19 +810,6 @@ fn as_beside(output: Output, central: f64, value: f64) -> f64 {
 impl Model for Sample<'_> {
     fn outputs(&self) -> usize {
         self.outputs.len()
-    }
-
-    fn summarised(&self) -> usize {
-        self.asked
-    }
-
-    fn tallies(&self) -> usize {
-        self.watched.len()
-    }
-
-    #[inline(always)]
-    fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
-        self.watched.tally(inputs, outputs, reasons, tallies);
     }
 
     #[inline(always)]

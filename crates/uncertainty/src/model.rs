@@ -94,21 +94,6 @@ pub trait Model: Sync {
     /// Number of outputs.
     fn outputs(&self) -> usize;
 
-    /// Number of outputs, from the first, that are kept and summarised: all, unless some serve other
-    /// purposes.
-    fn summarised(&self) -> usize {
-        self.outputs()
-    }
-
-    /// Number of counters that the model keeps: none by default.
-    fn tallies(&self) -> usize {
-        0
-    }
-
-    /// Adds the samples of a block to the counters. There is one sample for each of `reasons`; the outputs of
-    /// failed samples must not be read. It is compiled like [`evaluate`](Self::evaluate).
-    fn tally(&self, _inputs: &[Lanes], _outputs: &[Lanes], _reasons: &[u8], _tallies: &mut [usize]) {}
-
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
     /// answer gets a reason from 1 to 254 in `reasons`, which are initially [`SUCCEEDED`]; its outputs are
     /// then ignored. The `instructions` are those for which this function is compiled: a large model compiles
@@ -219,18 +204,6 @@ fn evaluate_with<M: Model>(
             }
         }
     }
-}
-
-/// Adds the samples of a block to the counters of the model.
-#[inline(never)]
-pub(crate) fn tally<M: Model>(
-    instructions: Instructions,
-    model: &M,
-    [inputs, outputs]: [&[Lanes]; 2],
-    reasons: &[u8],
-    tallies: &mut [usize],
-) {
-    dispatch!(instructions, model.tally(inputs, outputs, reasons, tallies));
 }
 
 /// Counts the reasons of failed samples.

@@ -2,7 +2,7 @@
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
-use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
+use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures};
 use crate::points::SamplingMethod;
 use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
@@ -13,7 +13,7 @@ use crate::summary::{Classes, Histogram, Summary};
 pub struct Propagation {
     columns: Vec<Vec<f64>>,
     reasons: Vec<u8>,
-    totals: Totals,
+    failures: Failures,
     summaries: Vec<Option<Summary>>,
     requested: usize,
 }
@@ -40,13 +40,7 @@ impl Propagation {
     /// Number of samples without an answer, by the model's reason code, or [`crate::NOT_FINITE`].
     #[must_use]
     pub fn failures(&self) -> &Failures {
-        &self.totals.failures
-    }
-
-    /// The model's [counts](Model::tally).
-    #[must_use]
-    pub fn tallies(&self) -> &[usize] {
-        &self.totals.tallies
+        &self.failures
     }
 
     /// Reason code of each sample; [`SUCCEEDED`] if it has an answer.
@@ -55,14 +49,13 @@ impl Propagation {
         &self.reasons
     }
 
-    /// The samples of each [summarised](Model::summarised) output, NaN for failed samples.
+    /// The samples of each output, NaN for failed samples.
     #[must_use]
     pub fn columns(&self) -> &[Vec<f64>] {
         &self.columns
     }
 
-    /// Statistics of each [summarised](Model::summarised) output; `None` if fewer than two samples have an
-    /// answer.
+    /// Statistics of each output; `None` if fewer than two samples have an answer.
     #[must_use]
     pub fn summaries(&self) -> &[Option<Summary>] {
         &self.summaries
@@ -74,6 +67,12 @@ impl Propagation {
     pub fn histogram(&self, output: usize, classes: Classes) -> Option<Histogram> {
         let summary = (*self.summaries.get(output)?)?;
         Histogram::of(self.columns.get(output)?, &summary, classes)
+    }
+
+    /// Leaves only the first outputs.
+    pub fn truncate(&mut self, outputs: usize) {
+        self.columns.truncate(outputs);
+        self.summaries.truncate(outputs);
     }
 }
 
@@ -91,29 +90,31 @@ pub fn propagate<M: Model>(
     progress: &mut Progress<'_>,
 ) -> Result<Propagation, InvalidRequest> {
     let sampler = Sampler::new(inputs, settings)?;
-    let (requested, outputs) = (settings.samples, model.summarised().min(model.outputs()));
-    let mut columns = vec![vec![0.0; requested]; outputs];
+    let requested = settings.samples;
+    let mut columns = vec![vec![0.0; requested]; model.outputs()];
     let mut reasons = vec![SUCCEEDED; requested];
-    let totals = evaluate(model, &sampler, (&mut columns, &mut reasons), progress);
+    let evaluated = evaluate(model, &sampler, (&mut columns, &mut reasons), progress);
     for column in &mut columns {
-        column.truncate(totals.samples);
+        column.truncate(evaluated);
     }
-    reasons.truncate(totals.samples);
+    reasons.truncate(evaluated);
+    let mut failures = Failures::new();
+    count_failures(&mut failures, &reasons);
     let is_replicated = settings.method != SamplingMethod::MonteCarlo;
     let summaries = for_each(&columns, |column| Summary::of(column, is_replicated));
-    Ok(Propagation { columns, reasons, totals, summaries, requested })
+    Ok(Propagation { columns, reasons, failures, summaries, requested })
 }
 
 /// Samples that a thread takes at a time.
 const SPAN: usize = 64 * LANES;
 
-/// Fills the columns and the reasons, until the run ends.
+/// Fills the columns and the reasons, until the run ends. Returns the number of samples evaluated.
 fn evaluate<M: Model>(
     model: &M,
     sampler: &Sampler<'_>,
     (columns, reasons): (&mut [Vec<f64>], &mut [u8]),
     progress: &mut Progress<'_>,
-) -> Totals {
+) -> usize {
     let mut slices: Vec<_> = columns.iter_mut().map(|column| column.chunks_mut(SPAN)).collect();
     let blocks = (0_u64..).step_by(SPAN / LANES);
     let spans = blocks.zip(reasons.chunks_mut(SPAN)).map(|(first_block, reasons)| {
@@ -121,11 +122,7 @@ fn evaluate<M: Model>(
         Span { samples: reasons.len(), work: Part { first_block, outputs, reasons } }
     });
     let spans = spans.collect();
-    let mut totals = Totals::of(model);
-    for more in in_order(spans, |part: Part<'_>| part.evaluate(model, sampler), progress) {
-        totals.add(more);
-    }
-    totals
+    in_order(spans, |part: Part<'_>| part.evaluate(model, sampler), progress).into_iter().sum()
 }
 
 /// The destination of the results of a span of blocks.
@@ -136,12 +133,12 @@ struct Part<'c> {
 }
 
 impl Part<'_> {
-    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> Totals {
+    /// Returns the number of samples.
+    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> usize {
         let Self { first_block, mut outputs, reasons: codes } = self;
         let mut inputs = vec![Lanes::ZERO; sampler.inputs.len()];
         let mut answers = vec![Lanes::ZERO; model.outputs()];
         let mut reasons = [SUCCEEDED; LANES];
-        let mut totals = Totals::of(model);
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(first_block..) {
             sampler.evaluate(model, block, &mut inputs, &mut answers, &mut reasons);
             let count = codes.len();
@@ -149,36 +146,8 @@ impl Part<'_> {
                 output[start..][..count].copy_from_slice(&answer[..count]);
             }
             codes.copy_from_slice(&reasons[..count]);
-            count_failures(&mut totals.failures, codes);
-            tally(sampler.instructions, model, [&inputs, &answers], codes, &mut totals.tallies);
         }
-        totals.samples = codes.len();
-        totals
-    }
-}
-
-/// Totals over finished samples.
-#[derive(Clone, Debug)]
-struct Totals {
-    samples: usize,
-    failures: Failures,
-    tallies: Vec<usize>,
-}
-
-impl Totals {
-    /// Totals without samples.
-    fn of(model: &impl Model) -> Self {
-        Self { samples: 0, failures: Failures::new(), tallies: vec![0; model.tallies()] }
-    }
-
-    fn add(&mut self, more: Self) {
-        self.samples += more.samples;
-        for (reason, count) in more.failures {
-            *self.failures.entry(reason).or_default() += count;
-        }
-        for (tally, more) in self.tallies.iter_mut().zip(more.tallies) {
-            *tally += more;
-        }
+        codes.len()
     }
 }
 

@@ -66,12 +66,6 @@ pub struct Doubtful {
     pub of: usize,
 }
 
-/// Counted while the samples are drawn, so none has to be kept for it.
-#[derive(Debug, Default)]
-pub(super) struct Watched {
-    marks: Vec<Mark>,
-}
-
 /// A number that makes a sample doubtful beyond a limit.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
@@ -92,73 +86,52 @@ enum Watch {
     Restitution { input: usize, closing: usize },
 }
 
-impl Watched {
-    pub(super) fn new(case: &Case, inputs: &[UncertainInput], outputs: &[Output], central: &[f64]) -> Self {
-        let mut marks = Vec::new();
-        let mut watch = |doubt: Doubt, number: Watch| marks.push(Mark { doubt, number });
-        let output = |wanted: Output| outputs.iter().position(|output| *output == wanted);
-        let input = |path: &str| inputs.iter().position(|input| input.input.path == path);
-        for vehicle in VehicleId::ALL {
-            let Some(place) = output(SPEED.of_vehicle(vehicle)) else { continue };
-            if central[place] >= 0.0 {
-                watch(Doubt::FoundBackward { vehicle }, Watch::NegativeOutput(place));
-            }
-            let kind = case.vehicles[vehicle.index()].kind.unwrap_or_default();
-            let [_, limit] = Usual::of(kind).speed;
-            watch(Doubt::FoundTooFast { vehicle, limit }, Watch::OutputBeyond(place, limit));
-        }
-        for vehicle in VehicleId::ALL {
-            let Some(place) = input(&format!("vehicle{vehicle}.speed")) else { continue };
-            let UncertainInput { input, distribution, .. } = &inputs[place];
-            // If the speed itself is negative, half of its samples are expected to be.
-            if input.number >= 0.0 && distribution.quantile(0.0) < 0.0 {
-                watch(Doubt::GivenBackward { vehicle }, Watch::NegativeInput(place));
+impl Watch {
+    /// Whether these numbers of a sample with an answer are doubtful.
+    fn is_doubtful(self, input: impl Fn(usize) -> f64, output: impl Fn(usize) -> f64) -> bool {
+        match self {
+            Self::NegativeOutput(place) => output(place) < 0.0,
+            Self::OutputBeyond(place, limit) => output(place).abs() > limit,
+            Self::NegativeInput(place) => input(place) < 0.0,
+            Self::Restitution { input: place, closing } => {
+                input(place) > HIGH_RESTITUTION && output(closing) > FAST_CLOSING
             }
         }
-        let restitution = input("impact.restitution")
-            .filter(|place| inputs[*place].distribution.quantile(1.0) > HIGH_RESTITUTION);
-        if let (Some(input), Some(closing)) = (restitution, output(IMPACT_CLOSING_SPEED.of_collision())) {
-            watch(Doubt::HighRestitution, Watch::Restitution { input, closing });
-        }
-        Self { marks }
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.marks.len()
-    }
-
-    /// Counts the samples of a block for each mark separately.
-    #[inline(always)]
-    pub(super) fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
-        for (Mark { number, .. }, tally) in self.marks.iter().zip(tallies) {
-            let none = &Lanes::ZERO;
-            *tally += match *number {
-                Watch::NegativeOutput(place) => {
-                    count(reasons, [&outputs[place], none], |speed, _| speed < 0.0)
-                }
-                Watch::OutputBeyond(place, limit) => {
-                    count(reasons, [&outputs[place], none], |speed, _| speed.abs() > limit)
-                }
-                Watch::NegativeInput(place) => count(reasons, [&inputs[place], none], |speed, _| speed < 0.0),
-                Watch::Restitution { input, closing } => {
-                    count(reasons, [&inputs[input], &outputs[closing]], |restitution, closing| {
-                        (restitution > HIGH_RESTITUTION) & (closing > FAST_CLOSING)
-                    })
-                }
-            };
-        }
+    fn reads_input(self) -> bool {
+        matches!(self, Self::NegativeInput(_) | Self::Restitution { .. })
     }
 }
 
-/// Number of samples with an answer whose numbers are marked, branch-free, so that the loop is vectorised.
-#[inline(always)]
-fn count(reasons: &[u8], [first, second]: [&Lanes; 2], is_marked: impl Fn(f64, f64) -> bool) -> usize {
-    let numbers = first.iter().zip(second);
-    let marked = reasons
-        .iter()
-        .zip(numbers)
-        .map(|(reason, (first, second))| usize::from((*reason == SUCCEEDED) & is_marked(*first, *second)));
-    marked.sum()
+fn marks(case: &Case, sample: &Sample<'_>, inputs: &[UncertainInput]) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    let mut watch = |doubt: Doubt, number: Watch| marks.push(Mark { doubt, number });
+    let output = |wanted: Output| sample.outputs.iter().position(|output| *output == wanted);
+    let input = |path: &str| inputs.iter().position(|input| input.input.path == path);
+    for vehicle in VehicleId::ALL {
+        let Some(place) = output(SPEED.of_vehicle(vehicle)) else { continue };
+        if sample.central[place] >= 0.0 {
+            watch(Doubt::FoundBackward { vehicle }, Watch::NegativeOutput(place));
+        }
+        let kind = case.vehicles[vehicle.index()].kind.unwrap_or_default();
+        let [_, limit] = Usual::of(kind).speed;
+        watch(Doubt::FoundTooFast { vehicle, limit }, Watch::OutputBeyond(place, limit));
+    }
+    for vehicle in VehicleId::ALL {
+        let Some(place) = input(&format!("vehicle{vehicle}.speed")) else { continue };
+        let UncertainInput { input, distribution, .. } = &inputs[place];
+        // If the speed itself is negative, half of its samples are expected to be.
+        if input.number >= 0.0 && distribution.quantile(0.0) < 0.0 {
+            watch(Doubt::GivenBackward { vehicle }, Watch::NegativeInput(place));
+        }
+    }
+    let restitution = input("impact.restitution")
+        .filter(|place| inputs[*place].distribution.quantile(1.0) > HIGH_RESTITUTION);
+    if let (Some(input), Some(closing)) = (restitution, output(IMPACT_CLOSING_SPEED.of_collision())) {
+        watch(Doubt::HighRestitution, Watch::Restitution { input, closing });
+    }
+    marks
 }
 
 /// Whether this output reveals doubts.
@@ -166,35 +139,53 @@ pub(super) fn reads(output: Output) -> bool {
     output.is(&SPEED) || output.is(&IMPACT_CLOSING_SPEED)
 }
 
-/// The doubtful samples among those with an answer. The counts do not depend on the number of threads: they
-/// come from the samples alone.
+/// The doubtful samples among those with an answer, whose inputs are drawn again where they count.
 pub(super) fn doubtful(
+    case: &Case,
     sample: &Sample<'_>,
     inputs: &[UncertainInput],
     settings: &Settings,
     propagation: &Propagation,
 ) -> Result<Vec<Doubtful>, InvalidRequest> {
-    let of = propagation.succeeded();
-    let counted = sample.watched.marks.iter().zip(propagation.tallies());
-    let mut found: Vec<Doubtful> = counted
-        .filter(|(_, samples)| **samples > 0)
-        .map(|(mark, samples)| Doubtful { doubt: mark.doubt, samples: *samples, of })
-        .collect();
-    if sample.is_by_crush {
-        let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
-        let sampler = Sampler::new(&distributions, settings)?;
-        let blocks: Vec<_> = (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES).collect();
-        let counted = for_each(&blocks, |(number, reasons)| {
-            let mut block = vec![Lanes::ZERO; inputs.len()];
-            sampler.fill(*number, &mut block);
-            let answered = || (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED);
-            (sample.several_speeds(settings.instructions, &block, answered()), answered().count())
-        });
-        let several = counted.iter().map(|(several, _)| several).sum();
-        let searched = counted.iter().map(|(_, searched)| searched).sum();
-        if several > 0 {
-            found.push(Doubtful { doubt: Doubt::SeveralSpeeds, samples: several, of: searched });
+    let marks = marks(case, sample, inputs);
+    let reads_inputs = marks.iter().any(|mark| mark.number.reads_input());
+    let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
+    let sampler = Sampler::new(&distributions, settings)?;
+    let blocks: Vec<_> = (0..).zip(propagation.reasons().chunks(LANES)).collect();
+    let counted = for_each(&blocks, |(number, reasons)| {
+        let first = *number * LANES;
+        let is_searched = sample.is_by_crush && first < SEARCHED;
+        let mut drawn = vec![Lanes::ZERO; inputs.len()];
+        if reads_inputs || is_searched {
+            sampler.fill(*number as u64, &mut drawn);
         }
-    }
+        let answered: Vec<usize> = (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED).collect();
+        let count = |mark: &Mark| {
+            let is_doubtful = |lane: &&usize| {
+                let output = |place: usize| propagation.columns()[place][first + **lane];
+                mark.number.is_doubtful(|place| drawn[place][**lane], output)
+            };
+            answered.iter().filter(is_doubtful).count()
+        };
+        let marked: Vec<usize> = marks.iter().map(count).collect();
+        let searched = if is_searched { answered.len() } else { 0 };
+        let several = match searched {
+            0 => 0,
+            _ => sample.several_speeds(settings.instructions, &drawn, answered.into_iter()),
+        };
+        (marked, several, searched)
+    });
+    let of = propagation.succeeded();
+    let sum = |(place, mark): (usize, &Mark)| {
+        let samples = counted.iter().map(|(marked, ..)| marked[place]).sum();
+        Doubtful { doubt: mark.doubt, samples, of }
+    };
+    let mut found: Vec<Doubtful> = marks.iter().enumerate().map(sum).collect();
+    found.push(Doubtful {
+        doubt: Doubt::SeveralSpeeds,
+        samples: counted.iter().map(|(_, several, _)| several).sum(),
+        of: counted.iter().map(|(.., searched)| searched).sum(),
+    });
+    found.retain(|doubtful| doubtful.samples > 0);
     Ok(found)
 }
