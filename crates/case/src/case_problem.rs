@@ -156,8 +156,8 @@ pub enum CaseProblem {
     /// Keys that do not make up a range.
     #[error("{path} gives {}", not_valid(given, "range"))]
     NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
-    /// A range for a value that is not a number.
-    #[error("\"{path}\" is a range, but only a number can be a range")]
+    /// A range for a value that cannot be one.
+    #[error("\"{path}\" is a range, but this key cannot be one")]
     NoRange { path: String, example: &'static str },
     /// The ends of a range in the wrong order.
     #[error("{path} goes from {low} to {high}, but its low end must be below its high end")]
@@ -298,6 +298,9 @@ impl CaseProblem {
             }
             Self::NotPositive { why, .. } => (*why).to_owned(),
             Self::Negative { value, .. } => format!("write {} of zero or more", value.dimension()),
+            Self::NotAcute { path, .. } if path.contains(".steer") => {
+                "the front wheels turn by less than a right angle: 0 deg is straight ahead".to_owned()
+            }
             Self::NotAcute { .. } => {
                 "it is the angle between the force and the normal of the damaged side: 0 deg if the force is perpendicular to the side".to_owned()
             }

@@ -992,7 +992,7 @@ pub(crate) static AFTER: Schema = Schema {
             "Coefficient of friction between the tyres of this vehicle and the ground. It takes the place of that of [surface] on the path of this vehicle; a zone keeps its own.";
         r#"drag = [0.02, "locked", 0.02, 0.02]"#: Form::Wheels(NOT_NEGATIVE, &words_of(&WheelDrag::WORDS)),
             r#"What resists the rolling of the wheels, as a share of the load on each. One value for all wheels, or a list of four: front left, front right, rear left, rear right. About 0.01 rolls freely; `"locked"` does not turn."#;
-        r#"steer = "5 deg""#: Form::QuantityOrTables(Dimension::Angle, ANY, &STEER),
+        r#"steer = "5 deg""#: Form::QuantityOrTables(Dimension::Angle, Bounds::Acute, &STEER),
             r#"Steer angle of the front wheels. Positive counter-clockwise, or clockwise with `axes = "z-down"`, seen from above; 0 (the default) is straight ahead. One angle, or a list of angles over time."#;
         r#"rest = { x = "31.2 m", y = "9.8 m", heading = "140 deg" }"#: Form::Table(&REST);
         r#"points = [{ x = "18.0 m", y = "5.5 m" }, { x = "25.1 m", y = "8.3 m" }]"#: Form::Tables(&POINT, 0),
@@ -1043,7 +1043,7 @@ pub(crate) static STEER: Schema = Schema {
     keys: &keys! {
         r#"time = "0.5 s""#: Form::Quantity(Dimension::Time, NOT_NEGATIVE),
             "Time since the impact. Each is later than the one before.";
-        r#"angle = "5 deg""#: Form::Quantity(Dimension::Angle, ANY),
+        r#"angle = "5 deg""#: Form::Quantity(Dimension::Angle, Bounds::Acute),
             "Steer angle at that time, signed like `steer`.";
     },
     rules: &[Rule::Needs(&["time", "angle"])],

@@ -1421,7 +1421,9 @@ fn any_after() -> impl Strategy<Value = After> {
         [wheel(), wheel(), wheel(), wheel()].prop_map(Drag::Each),
     ];
     let unit = Dimension::Time.unit("ms").unwrap();
-    let over = vec((1..9_i32, angle()), 1..4).prop_map(move |steps| {
+    let degree = Dimension::Angle.unit("deg").unwrap();
+    let turned = || (-89.999..90.0_f64).prop_map(|turn| Quantity::new(turn, degree).unwrap());
+    let over = vec((1..9_i32, turned()), 1..4).prop_map(move |steps| {
         let mut time = 0;
         let points = steps.into_iter().map(|(step, angle)| {
             time += step;
@@ -1429,7 +1431,7 @@ fn any_after() -> impl Strategy<Value = After> {
         });
         GivenSteer::Over(points.collect())
     });
-    let steer = prop_oneof![angle().prop_map(GivenSteer::Held), over];
+    let steer = prop_oneof![turned().prop_map(GivenSteer::Held), over];
     let heading = prop_oneof![angle().prop_map(RestHeading::Heading), angle().prop_map(RestHeading::Turned)];
     let rest = (any_place(), heading).prop_map(|(place, heading)| GivenRest { place, heading });
     let velocity = (

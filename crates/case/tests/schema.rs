@@ -121,6 +121,8 @@ const BEYOND: &[(&str, &[&str])] = &[
             "mass-tiny",
             "oblique-angle-range",
             "range-oblique-angle",
+            "steer-beyond",
+            "steer-degrees",
         ],
     ),
     (

@@ -5,7 +5,7 @@ use kurbo::Rect;
 use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
-use crate::pens::{BOUND, OF_VEHICLE, THIN};
+use crate::pens::{BLUE, BOUND, COMPUTED, OF_VEHICLE, THIN};
 use crate::thin::thinned;
 use crate::vector::polyline;
 
@@ -15,6 +15,8 @@ const BETWEEN: f64 = 92.0;
 const MOST: [u8; 2] = [10, 5];
 /// How far a chart extends beyond its numbers, as a share of their span.
 const BEYOND: f64 = 0.06;
+/// The colour of a stored point, that of the first curve.
+const DOT: &str = BLUE;
 /// Smaller shares of the unit are rounding errors about zero, such as a yaw rate of 1e-16 rad/s.
 const ROUNDING: f64 = 1e-6;
 
@@ -37,8 +39,35 @@ pub struct CurvesPicture {
     pub is_thinned: bool,
     /// From top to bottom.
     pub panels: Vec<Curves>,
-    /// Legend entries of first and second curves, if they have any.
-    pub legend: [Option<String>; 2],
+    /// What is in the charts.
+    pub legend: Vec<(CurveKind, String)>,
+}
+
+/// What a legend entry of curves stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveKind {
+    /// The first curve of a chart.
+    First,
+    /// The second.
+    Second,
+    /// A point of a curve that was stored.
+    Sample,
+    /// The end of a curve that was computed.
+    Computed,
+    /// A line across.
+    Mark,
+}
+
+impl CurveKind {
+    fn sample(self) -> Sample {
+        match self {
+            Self::First => Sample::Line(OF_VEHICLE[0]),
+            Self::Second => Sample::Line(OF_VEHICLE[1]),
+            Self::Sample => Sample::Dot(None, DOT),
+            Self::Computed => Sample::Line(COMPUTED),
+            Self::Mark => Sample::Line(BOUND),
+        }
+    }
 }
 
 /// One number, or two of a kind, against another.
@@ -52,6 +81,10 @@ pub struct Curves {
     pub upward: Axis,
     /// Points of each curve, in the order of the horizontal axis; empty for a second that is not there.
     pub curves: [Vec<[f64; 2]>; 2],
+    /// Points that were stored, each a dot; empty if the curves are not of samples.
+    pub samples: Vec<[f64; 2]>,
+    /// A computed continuation of the first curve, from its last point; usually empty.
+    pub computed: Vec<[f64; 2]>,
     /// Where a line across marks something, such as the end of the impact.
     pub marks: Vec<f64>,
 }
@@ -81,11 +114,16 @@ impl CurvesPicture {
                 let path = if self.is_thinned { polyline(thinned(&points)) } else { polyline(points) };
                 canvas.path(&id, &path, Some(OF_VEHICLE[i]), "none");
             }
+            if panel.computed.len() > 1 {
+                let points = panel.computed.iter().map(|&[x, y]| chart.at(x, y));
+                canvas.path(&format!("computed-{}", k + 1), &polyline(points), Some(COMPUTED), "none");
+            }
+            for (i, &[x, y]) in panel.samples.iter().enumerate() {
+                canvas.dot(&format!("sample-{}-{}", k + 1, i + 1), chart.at(x, y), 3.0, None, DOT);
+            }
             top += self.height + BETWEEN;
         }
-        let entries = self.legend.iter().zip(OF_VEHICLE);
-        let entries: Vec<_> =
-            entries.filter_map(|(text, pen)| Some((Sample::Line(pen), text.clone()?))).collect();
+        let entries: Vec<_> = self.legend.iter().map(|(kind, text)| (kind.sample(), text.clone())).collect();
         canvas.height = legend::legend(&mut canvas, top - 28.0, 2, &entries) + 10.0;
         let title = format!("{}: {}", self.title, self.subtitle);
         Drawing::new(title, self.description.clone(), canvas)
@@ -110,7 +148,8 @@ impl Curves {
     fn range(&self, coordinate: usize) -> [f64; 2] {
         let is_upward = coordinate == 1;
         let unit = if is_upward { self.upward.unit } else { self.across.unit };
-        let values = self.curves.iter().flatten().map(|point| point[coordinate]);
+        let curves = self.curves.iter().chain([&self.samples, &self.computed]);
+        let values = curves.flatten().map(|point| point[coordinate]);
         let first = values.clone().next().filter(|_| !is_upward).unwrap_or(0.0);
         let values = values.filter(|value| !is_upward || value.abs() >= ROUNDING * unit);
         let [low, high] = values.fold([first; 2], |[low, high], value| [low.min(value), high.max(value)]);

@@ -111,7 +111,7 @@ mod vector;
 pub use body::SceneBody;
 pub use chance::ChancePicture;
 pub use chart::Axis;
-pub use curves::{Curves, CurvesPicture};
+pub use curves::{CurveKind, Curves, CurvesPicture};
 pub use damage::{DamagePicture, DamagedVehicle};
 pub use density::DensityPicture;
 pub use energy::{EnergyBar, EnergyPicture, Loss};

@@ -43,6 +43,8 @@ pub(crate) const CRUSHED: Pen = pen(BLACK, 1.8, "");
 pub(crate) const GRID: Pen = pen(PALE, 1.0, "");
 /// The ends of an interval.
 pub(crate) const BOUND: Pen = pen(BLACK, 1.6, "6 4");
+/// The end of a curve that was computed.
+pub(crate) const COMPUTED: Pen = pen(BLUE, 1.6, "3 3");
 /// Where two numbers are equal.
 pub(crate) const EQUALITY: Pen = pen(GREY, 1.4, "7 4");
 /// The path of the CG of a motion, and the outlines along it.
@@ -53,15 +55,16 @@ pub(crate) const APPROACH: Pen = pen(GREEN, 3.0, "");
 pub(crate) const MEASURED: Pen = pen(BLACK, 1.6, "5 3");
 /// The mark of a sliding wheel.
 pub(crate) const MARK: Pen = pen("#333333", 1.2, "");
-/// The measured skid mark of a locked wheel before the impact.
-pub(crate) const SKID: Pen = pen("#333333", 2.4, "3 2");
+/// The measured skid mark of a locked wheel before the impact: broad and without dashes, because the marks of
+/// front and rear wheels lie on one another.
+pub(crate) const SKID: Pen = pen("#8c8c8c", 4.0, "");
 pub(crate) const EDGE_OF_GROUND: Pen = pen(GREY, 1.2, "9 3 2 3");
 /// Numbers of vehicles 1 and 2.
 pub(crate) const OF_VEHICLE: [Pen; 2] = [pen(BLUE, 2.5, ""), pen(VERMILION, 2.0, "9 5")];
 /// Runs before a collision: the actual one and other possible ones, in the order of their tables.
 pub(crate) const COURSES: [Pen; 6] = [
     pen(BLUE, 3.0, ""),
-    pen(GREY, 1.8, "2 4"),
+    pen(GREY, 1.8, "5 5"),
     pen(PURPLE, 1.8, "9 4"),
     pen(GREY, 1.8, "9 4 2 4"),
     pen(GREEN, 2.2, "14 4"),

@@ -1,9 +1,9 @@
 //! The motion from approach to rest: the picture shows the given data, wherever the vehicles go.
 
 use drawing::{
-    Axis, BodyShape, Curves, CurvesPicture, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint,
-    MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit, SceneArrow, SceneBody,
-    SitePlan, SitePlanError,
+    Axis, BodyShape, CurveKind, Curves, CurvesPicture, Drawing, Footprint, GroundShape, GroundZone,
+    MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit, SceneArrow,
+    SceneBody, SitePlan, SitePlanError,
 };
 use kurbo::{Affine, BezPath, Point, Shape as _};
 use resvg::tiny_skia::{Color, Paint, Pixmap, Rect, Transform};
@@ -189,6 +189,8 @@ pub(crate) fn curves() -> CurvesPicture {
         ends: Some([0.0, 2.9]),
         upward: Axis { title: text(title), unit },
         curves,
+        samples: Vec::new(),
+        computed: Vec::new(),
         marks: Vec::new(),
     };
     let degree = 1.0_f64.to_radians();
@@ -217,7 +219,7 @@ pub(crate) fn curves() -> CurvesPicture {
                 [curve(|s| 3.49 * (2.0 * s - s * s), 2.9), curve(|s| 1.57 - 1.66 * (2.0 * s - s * s), 2.4)],
             ),
         ],
-        legend: [Some(text("1 · Rabbit")), Some(text("2 · Chevelle"))],
+        legend: vec![(CurveKind::First, text("1 · Rabbit")), (CurveKind::Second, text("2 · Chevelle"))],
     }
 }
 
@@ -706,7 +708,7 @@ fn curves_go_through_their_numbers() {
     let constant = Curves { curves: [vec![[0.0, 0.0], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
     let rounding = Curves { curves: [vec![[0.0, 3e-17], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
     for panels in [vec![constant], vec![rounding], Vec::new()] {
-        let svg = CurvesPicture { panels, legend: [None, None], ..whole.clone() }.draw().svg();
+        let svg = CurvesPicture { panels, legend: Vec::new(), ..whole.clone() }.draw().svg();
         Reader::new().readable("no curves", &svg);
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }

@@ -59,7 +59,7 @@ pub enum SeriesRefusal {
 impl Display for SeriesRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
+            Self::Text(refusal) | Self::Column(_, refusal) => write!(f, "{}", refusal.fault),
             Self::NoneOfKind { wanted, columns, found } => {
                 write!(f, "no table of {wanted}, with {columns}, was found: the program read {found}")
             }
@@ -77,7 +77,7 @@ impl SeriesRefusal {
     #[must_use]
     pub fn place(&self) -> Option<TextPlace> {
         match self {
-            Self::Text(refusal) | Self::Column(_, refusal) => refusal.place(),
+            Self::Text(refusal) | Self::Column(_, refusal) => refusal.place,
             Self::PreCrash(_, place) => *place,
             Self::NoneOfKind { .. } | Self::OtherKind { .. } | Self::Pulse(_) => None,
         }

@@ -73,7 +73,8 @@ pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };
 pub use table::{
-    Apart, CellDoubt, LeftTable, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal,
+    Apart, CellDoubt, LeftTable, NoValue, RecorderTable, TableColumn, TextFault, TextLayout, TextPlace,
+    TextRefusal,
 };
 pub use text::{columns_table, read_rows, read_tables};
 pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, OneAxis, RecordMatch, match_records};

@@ -347,9 +347,9 @@ impl RecorderTable {
     }
 }
 
-/// Why a text gives no table.
+/// What a text lacks to be a table.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TextRefusal {
+pub enum TextFault {
     /// Nothing but blanks.
     #[error("the text is empty: copy the table with its heading")]
     Empty,
@@ -363,82 +363,61 @@ pub enum TextRefusal {
         begins: String,
     },
     /// Quantities without times.
-    #[error("{place}: \"{heading}\" has no times here: copy the column or row of times, too")]
+    #[error("\"{heading}\" has no times here: copy the column or row of times, too")]
     NoTime {
         /// The first heading.
         heading: String,
-        /// Its place.
-        place: TextPlace,
     },
     /// Values one below the other that may be of rows or of columns.
     #[error(
-        "{place}: the values below this heading may be those of one row after the other, or of one column after the \
+        "the values below this heading may be those of one row after the other, or of one column after the \
          other: write each row in one line"
     )]
-    EitherWay {
-        /// The place of the heading.
-        place: TextPlace,
-    },
+    EitherWay,
     /// A heading without a known place for its times.
     #[error(
-        "{place}: the times of \"{heading}\" are not its first column: put them first, or write a semicolon between \
+        "the times of \"{heading}\" are not its first column: put them first, or write a semicolon between \
          the columns"
     )]
     TimeNotFirst {
         /// The heading.
         heading: String,
-        /// Its place.
-        place: TextPlace,
     },
     /// Times without a quantity.
-    #[error("{place}: no quantity other than the times was recognised{found}; known are {known}")]
+    #[error("no quantity other than the times was recognised{found}; known are {known}")]
     NoQuantity {
-        /// The place of the heading of the times.
-        place: TextPlace,
         /// The other headings of the table, to follow the words before.
         found: String,
         /// Some headings.
         known: &'static str,
     },
     /// A heading without rows.
-    #[error("{place}: no values follow the heading \"{heading}\"")]
+    #[error("no values follow the heading \"{heading}\"")]
     NoRows {
         /// The heading.
         heading: String,
-        /// Its place.
-        place: TextPlace,
     },
     /// A heading with no unit, or with an unknown one.
-    #[error(
-        "{place}: the heading \"{heading}\" has no unit that is known for a {channel}: write one of {units}"
-    )]
+    #[error("the heading \"{heading}\" has no unit that is known for a {channel}: write one of {units}")]
     Unit {
         /// The heading.
         heading: String,
-        /// Its place.
-        place: TextPlace,
         /// The quantity that it was taken for.
         channel: &'static str,
         /// The units that it may have.
         units: String,
     },
     /// A list of values without a unit, or with an unknown one.
-    #[error(
-        "{place}: these values have no unit that is known for a {channel}: write one of {units} after the last"
-    )]
+    #[error("these values have no unit that is known for a {channel}: write one of {units} after the last")]
     UnitOfList {
-        /// The place of the list.
-        place: TextPlace,
         /// Its quantity.
         channel: &'static str,
         /// The units that it may have.
         units: String,
     },
     /// The number of values in a row differs from that of the headings.
-    #[error("{place}: {found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
+    #[error("{found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
     Uneven {
-        /// The place of the first value of the row.
-        place: TextPlace,
         /// Number of values.
         found: usize,
         /// Number of headings.
@@ -448,31 +427,25 @@ pub enum TextRefusal {
     },
     /// A cell in aligned columns that stands in none of them for sure.
     #[error(
-        "{place}: \"{text}\" stands in no column for sure: line it up with the rows above and below, write - for a \
+        "\"{text}\" stands in no column for sure: line it up with the rows above and below, write - for a \
          value that is empty, or write the table with a semicolon between its columns"
     )]
     CellUnplaced {
-        /// The place of the first cell.
-        place: TextPlace,
         /// The cells.
         text: String,
     },
     /// A part of a heading in aligned columns that stands over none of them for sure.
     #[error(
-        "{place}: it is not sure over which columns the heading \"{text}\" stands: write the whole heading of each \
+        "it is not sure over which columns the heading \"{text}\" stands: write the whole heading of each \
          column in one line, with a semicolon between the columns of the heading and of the rows"
     )]
     HeadingUnplaced {
-        /// Its place.
-        place: TextPlace,
         /// The heading.
         text: String,
     },
     /// A heading that says how its values are meant, in words that are not clear.
-    #[error("{place}: the heading \"{heading}\" says how its values are meant, but not clearly: {instead}")]
+    #[error("the heading \"{heading}\" says how its values are meant, but not clearly: {instead}")]
     Legend {
-        /// Its place.
-        place: TextPlace,
         /// The heading.
         heading: String,
         /// What to write instead.
@@ -508,12 +481,10 @@ pub enum TextRefusal {
     },
     /// A long table without any of NHTSA's codes for values before or during the impact.
     #[error(
-        "{place}: no PCODE begins with 1, as before the impact, or 2, as during it; there are {known}; write NHTSA's codes, \
+        "no PCODE begins with 1, as before the impact, or 2, as during it; there are {known}; write NHTSA's codes, \
          or a table with a column for each quantity"
     )]
     NoCodes {
-        /// The place of the first of them.
-        place: TextPlace,
         /// The codes that there are.
         known: String,
     },
@@ -524,50 +495,40 @@ pub enum TextRefusal {
     NotLong,
     /// A row without a time.
     #[error(
-        "{place}: \"{text}\" is not a time; write the time of each row as a number, and leave a row without one out"
+        "\"{text}\" is not a time; write the time of each row as a number, and leave a row without one out"
     )]
     TimeUnreadable {
-        /// Its place.
-        place: TextPlace,
         /// The text there.
         text: String,
     },
     /// A time that no record of a crash has.
     #[error(
-        "{place}: the time \"{text}\" is beyond {} to {} in the unit of its heading, farther from the impact than a record \
+        "the time \"{text}\" is beyond {} to {} in the unit of its heading, farther from the impact than a record \
          goes; should the heading say ms?", range[0], range[1]
     )]
     TimeFar {
-        /// Its place.
-        place: TextPlace,
         /// The text there.
         text: String,
         /// (unit of the heading) the least and the greatest possible time.
         range: [f64; 2],
     },
     /// A time that also appears in the row before.
-    #[error("{place}: the time {time} s appears twice; leave out the row that is wrong")]
+    #[error("the time {time} s appears twice; leave out the row that is wrong")]
     TimeTwice {
-        /// Its place the second time.
-        place: TextPlace,
         /// (s) the time.
         time: f64,
     },
     /// Two columns of one quantity with different values.
-    #[error("{place}: two columns give the {channel}, and disagree: {said}; leave out the one that is wrong")]
+    #[error("two columns give the {channel}, and disagree: {said}; leave out the one that is wrong")]
     Disagree {
-        /// The place of the second value.
-        place: TextPlace,
         /// The quantity.
         channel: &'static str,
         /// Both values with their headings.
         said: String,
     },
     /// Times that change from rising to falling, or the reverse.
-    #[error("{place}: the time {time} s follows {before} s, where most times {sense}")]
+    #[error("the time {time} s follows {before} s, where most times {sense}")]
     TimesTurn {
-        /// Its place.
-        place: TextPlace,
         /// (s) the time.
         time: f64,
         /// (s) the one before.
@@ -577,44 +538,26 @@ pub enum TextRefusal {
     },
 }
 
-impl TextRefusal {
-    /// The message without its place, for a caller that shows the place separately.
+impl TextFault {
+    /// The refusal of a text for this fault at a place.
     #[must_use]
-    pub fn message(&self) -> String {
-        let whole = self.to_string();
-        match self.place() {
-            Some(place) => whole.replacen(&format!("{place}: "), "", 1),
-            None => whole,
-        }
+    pub fn at(self, place: TextPlace) -> TextRefusal {
+        TextRefusal { place: Some(place), fault: self }
     }
+}
 
-    /// Its place in the text, if it has one.
-    #[must_use]
-    pub fn place(&self) -> Option<TextPlace> {
-        match self {
-            Self::Empty
-            | Self::NoHeading { .. }
-            | Self::SeveralRecords { .. }
-            | Self::NoSuchRows { .. }
-            | Self::NoColumn { .. }
-            | Self::NotLong => None,
-            Self::NoTime { place, .. }
-            | Self::TimeNotFirst { place, .. }
-            | Self::EitherWay { place }
-            | Self::NoQuantity { place, .. }
-            | Self::NoRows { place, .. }
-            | Self::Unit { place, .. }
-            | Self::UnitOfList { place, .. }
-            | Self::Uneven { place, .. }
-            | Self::CellUnplaced { place, .. }
-            | Self::HeadingUnplaced { place, .. }
-            | Self::Legend { place, .. }
-            | Self::NoCodes { place, .. }
-            | Self::TimeUnreadable { place, .. }
-            | Self::TimeFar { place, .. }
-            | Self::TimeTwice { place, .. }
-            | Self::Disagree { place, .. }
-            | Self::TimesTurn { place, .. } => Some(*place),
-        }
+/// Why a text gives no table, and where.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}{fault}", place.map(|place| format!("{place}: ")).unwrap_or_default())]
+pub struct TextRefusal {
+    /// The place in the text, if the fault has one.
+    pub place: Option<TextPlace>,
+    /// What is wrong there: the message for a caller that shows the place separately.
+    pub fault: TextFault,
+}
+
+impl From<TextFault> for TextRefusal {
+    fn from(fault: TextFault) -> Self {
+        Self { place: None, fault }
     }
 }

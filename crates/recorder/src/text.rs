@@ -12,7 +12,7 @@ mod rows;
 mod tokens;
 
 use crate::channel::Channel;
-use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
+use crate::table::{CellDoubt, RecorderTable, TextFault, TextPlace, TextRefusal};
 
 /// The tables of a text, each recognised by the words and the units of its headings.
 ///
@@ -43,7 +43,7 @@ pub fn read_tables(text: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
 /// As [`read_tables`]; also if the rows are of several records, or if there are none.
 pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
     if text.trim().is_empty() {
-        return Err(TextRefusal::Empty);
+        return Err(TextFault::Empty.into());
     }
     // A byte order mark and no-break spaces come from word processors.
     let text = text.trim_start_matches('\u{feff}').replace(['\u{a0}', '\u{202f}'], " ");
@@ -51,7 +51,7 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
         return long.into_iter().map(|(raw, doubts)| finish_with(raw, doubts)).collect();
     }
     if !rows.trim().is_empty() {
-        return Err(TextRefusal::NotLong);
+        return Err(TextFault::NotLong.into());
     }
     let raw = match delimited::delimiter(&text) {
         Some(delimiter) => delimited::tables(&text, delimiter)?,
@@ -72,7 +72,7 @@ const BEGINNING: usize = 60;
 /// Refuses a text without a heading, and shows where it begins.
 fn no_heading(text: &str) -> TextRefusal {
     let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
-    TextRefusal::NoHeading { begins: line.chars().take(BEGINNING).collect() }
+    TextFault::NoHeading { begins: line.chars().take(BEGINNING).collect() }.into()
 }
 
 /// The table in SI, with the doubts from earlier steps.
@@ -98,7 +98,8 @@ pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Chan
         if cells.len() != expected && of_time.is_some() {
             let place = cells.last().map_or(TextPlace { line: 1, column: 1 }, |cell| cell.place);
             let columns = "as many as there are times; write - for one that was not stored".to_owned();
-            return Err((head.channel, TextRefusal::Uneven { place, found: cells.len(), expected, columns }));
+            let fault = TextFault::Uneven { found: cells.len(), expected, columns };
+            return Err((head.channel, fault.at(place)));
         }
     }
     raw::finish(raw).map_err(|refusal| (Channel::Time, refusal))

@@ -1,6 +1,6 @@
 //! Text with runs of blanks between its columns, as `pdftotext -layout` gives it, with invented numbers.
 
-use recorder::{Channel, RecorderTable, TextLayout, TextRefusal, read_tables};
+use recorder::{Channel, RecorderTable, TextFault, TextLayout, TextRefusal, read_tables};
 
 fn one(text: &str) -> RecorderTable {
     let mut tables = read_tables(text).unwrap_or_else(|refusal| panic!("{text}{refusal}"));
@@ -98,7 +98,9 @@ Time (ms)      Longitudinal   Lateral
     }
     // Over the first of the two only, it may begin there and belong to both.
     let refusal = refused(&format!("               Delta-V (km/h){rows}").replace("Lateral", "    Lateral"));
-    let TextRefusal::HeadingUnplaced { place, text } = &refusal else { panic!("{refusal}") };
+    let (Some(place), TextFault::HeadingUnplaced { text }) = (refusal.place, &refusal.fault) else {
+        panic!("{refusal}")
+    };
     assert_eq!((place.line, place.column, text.as_str()), (1, 16, "Delta-V (km/h)"));
     // Two columns with one heading, and a word over one of them.
     let text = "                  Wheel
@@ -107,7 +109,7 @@ Time (s)          Speed (km/h)      Speed (km/h)
 0                 50                30
 ";
     let refusal = refused(text);
-    assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some((1, 19)), "{refusal}");
+    assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some((1, 19)), "{refusal}");
     // A word between two columns.
     let refusal = refused(&text.replace("                  Wheel", "                                Wheel"));
     assert!(
@@ -136,7 +138,7 @@ Time (s)    Vehicle Speed (km/h)    Service Brake
     }
     // One that would change a column, and is not at the left edge, may be a part of its heading.
     let refusal = refused(&format!("            Maximum value{table}"));
-    assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some((1, 13)), "{refusal}");
+    assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some((1, 13)), "{refusal}");
     // One that says the axis, where the column does not.
     let refusal = refused("Lateral crash pulse\nTime (ms)   Delta-V (km/h)\n0           0\n10          3\n");
     assert!(refusal.to_string().contains("the heading \"Lateral crash pulse\" stands"), "{refusal}");
@@ -192,8 +194,8 @@ fn a_row_that_lines_up_with_nothing_is_refused() {
         ("            50                      14\n", (4, 13)),
     ] {
         let refusal = refused(&format!("{heading}{rows}{row}"));
-        let TextRefusal::CellUnplaced { place, .. } = &refusal else { panic!("{row}{refusal}") };
-        assert_eq!((place.line, place.column), at, "{refusal}");
+        assert!(matches!(refusal.fault, TextFault::CellUnplaced { .. }), "{row}{refusal}");
+        assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some(at), "{refusal}");
     }
     // Within the width of its column, but on none of its edges.
     let text = "\
@@ -201,7 +203,7 @@ Time (s)    Speed (km/h)    ABS Activity
 -1.0        60              Non-Engaged
 -0.5                          Off
 ";
-    assert!(matches!(refused(text), TextRefusal::CellUnplaced { .. }), "{}", refused(text));
+    assert!(matches!(refused(text).fault, TextFault::CellUnplaced { .. }), "{}", refused(text));
     one(&text.replace("-0.5                          Off", "-0.5                        Off"));
     // Beside an empty cell, a heading over no value may be that of another column.
     let text = "\
@@ -209,11 +211,11 @@ Time (s)    Pedal (%)             Engine Throttle (%)
 -1.0                    14        15
 -0.5                              15
 ";
-    assert!(matches!(refused(text), TextRefusal::HeadingUnplaced { .. }), "{}", refused(text));
+    assert!(matches!(refused(text).fault, TextFault::HeadingUnplaced { .. }), "{}", refused(text));
     one(&text.replace("-0.5                  ", "-0.5                 0"));
     // Three blanks between all fields: nothing lines up, and the second value may be of either column.
     let text = "Time (s)   Speed (km/h)   Pedal (%)\n-1.0   60   14\n-0.5   14\n0.0   50   14\n";
-    assert!(matches!(refused(text), TextRefusal::HeadingUnplaced { .. }), "{}", refused(text));
+    assert!(matches!(refused(text).fault, TextFault::HeadingUnplaced { .. }), "{}", refused(text));
 }
 
 /// A page with other margins continues the table, whether its heading is repeated or not.
@@ -260,7 +262,7 @@ ABS Activity                           Off     On
     let refusal = refused(
         &text.replace("                           Off     On", "                        Off        On"),
     );
-    assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some((4, 37)), "{refusal}");
+    assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some((4, 37)), "{refusal}");
 }
 
 /// Numbers from SplitMix64.

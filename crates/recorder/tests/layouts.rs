@@ -1,7 +1,7 @@
 //! Tables in the layouts of printed reports, with invented numbers, as they copy out of a PDF.
 
 use recorder::{
-    Apart, Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table,
+    Apart, Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextFault, TextLayout, columns_table,
     read_rows, read_tables,
 };
 
@@ -304,10 +304,10 @@ fn what_is_no_value_is_told_with_its_place() {
 #[test]
 fn what_gives_no_table_is_refused_with_its_place() {
     let refused = |text: &str| read_tables(text).unwrap_err();
-    assert_eq!(refused(" \n "), TextRefusal::Empty);
+    assert_eq!(refused(" \n "), TextFault::Empty.into());
     let begins = "The weather was fine.".to_owned();
-    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading { begins });
-    let place = |text: &str| refused(text).place().map(|place| (place.line, place.column));
+    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextFault::NoHeading { begins }.into());
+    let place = |text: &str| refused(text).place.map(|place| (place.line, place.column));
     for (text, at, word) in [
         ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
         ("Time,Speed (km/h)\n0,3\n", (1, 1), "ms"),
@@ -350,16 +350,16 @@ fn columns_that_stand_apart() {
     assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
     let refused = |columns: &[(Channel, &str)]| columns_table(columns).unwrap_err();
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58 40 km/h")]);
-    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Speed, 7));
+    assert_eq!((channel, refusal.place.unwrap().column), (Channel::Speed, 7));
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58")]);
     assert_eq!(channel, Channel::Speed);
     assert!(
-        refusal.message().starts_with("these values have no unit that is known for a speed"),
+        refusal.fault.to_string().starts_with("these values have no unit that is known for a speed"),
         "{}",
-        refusal.message()
+        refusal.fault.to_string()
     );
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 -2 s"), (Channel::Speed, "6 5 4 km/h")]);
-    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Time, 4));
+    assert_eq!((channel, refusal.place.unwrap().column), (Channel::Time, 4));
 }
 
 #[test]
@@ -535,7 +535,7 @@ fn a_row_across_has_as_many_values_as_there_are_times() {
         for between in [",", "\t", ";"] {
             let text = format!("Time (s),-1.0,-0.5,0\n{text}").replace(',', between);
             let refusal = read_tables(&text).unwrap_err();
-            assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some(at), "{refusal}");
+            assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some(at), "{refusal}");
             assert!(refusal.to_string().contains(words), "{refusal}");
         }
     }
@@ -589,7 +589,7 @@ fn two_columns_of_one_quantity_agree_or_are_refused() {
     assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 47.0, 40.0]);
     assert_eq!(table.ignored[0].0, "Vehicle Speed (mph)");
     let refusal = read_tables(&format!("{heading}-1.0,31,50,off\n-0.5,40,50,on\n")).unwrap_err();
-    assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some((3, 9)));
+    assert_eq!(refusal.place.map(|place| (place.line, place.column)), Some((3, 9)));
     let said = "two columns give the speed, and disagree: 40 under \"Vehicle Speed (mph)\" and 50 under \
                 \"Vehicle Speed (km/h)\"";
     assert!(refusal.to_string().contains(said), "{refusal}");
@@ -688,7 +688,7 @@ fn a_row_with_words_in_it_is_read() {
     // A line with too few cells for a row is refused, or reported as a line that was not read.
     let heading = "Time (sec) Vehicle Speed (km/h) Service Brake\n-1.0 64 Off\n";
     let refusal = read_tables(&format!("{heading}-0.5 60 On or Off or Fault\n0 49 On\n")).unwrap_err();
-    assert_eq!(refusal.place().map(|place| place.line), Some(3), "{refusal}");
+    assert_eq!(refusal.place.map(|place| place.line), Some(3), "{refusal}");
     let table = one(&format!("{heading}-0.5 Fault\n0 49 On\n"));
     assert_eq!(table.times(), [-1.0, 0.0]);
     assert_eq!(
@@ -920,8 +920,8 @@ fn a_row_across_with_an_empty_cell_is_refused() {
             let text =
                 format!("Time (sec) -2.0 -1.0 0\nVehicle Speed (km/h) SNA 67 62\n{before}{brake}{after}");
             let refusal = read_tables(&text).unwrap_err();
-            let TextRefusal::Uneven { place, found, expected: 3, .. } = refusal else { panic!("{refusal}") };
-            assert_eq!((place.line, found), (line, count), "{text}");
+            let TextFault::Uneven { found, expected: 3, .. } = refusal.fault else { panic!("{refusal}") };
+            assert_eq!((refusal.place.map(|place| place.line), found), (Some(line), count), "{text}");
         }
     }
     // A mark that stands apart from its value fills no cell.

@@ -326,3 +326,44 @@ fn the_speed_of_a_vehicle_that_stood_adds_up() {
     let cut = number("cut off at 0: it did not go backward");
     assert!(cut > 0.0 && (cut - number("mean at the impact")).abs() < 1e-9, "{text}");
 }
+
+/// The charts over time have one axis, each stored value is a dot, and only the end that the program found is
+/// dashed. Nothing is explained that no chart has.
+#[test]
+fn the_charts_show_what_was_stored() {
+    let svg = |speed: &str, pulse: &str| {
+        let text = format!(
+            "[vehicle1.recorder]\npre_crash = {{ time = \"-5 -4 -3 -2 -1 0 s\", speed = \"{speed}\", \
+             brake = \"off off off on on -\" }}\n{pulse}"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).html()
+    };
+    let attribute = |svg: &str, id: &str, name: &str| -> f64 {
+        let start = svg.find(&format!("id=\"{id}\"")).unwrap_or_else(|| panic!("{id}"));
+        let value = svg[start..].split_once(&format!("{name}=\"")).unwrap().1;
+        value.split_once('"').unwrap().0.parse().unwrap()
+    };
+    let dots = |svg: &str, chart: u8| svg.matches(&format!("id=\"record-curves-sample-{chart}-")).count();
+    let explained = |svg: &str| {
+        ["stored value", "to the median of the speed at impact", "longitudinal ΔV", "lateral ΔV", "49 CFR 563.5"]
+            .map(|words| svg.contains(&format!(">{words}")) || svg.contains(&format!("{words}, positive")) )
+    };
+    // The last speed is missing, so that of the impact is found; a speed in between is missing, too.
+    let found = svg("60 - 58 55 50 - km/h", "");
+    assert_eq!([dots(&found, 1), dots(&found, 2), dots(&found, 3)], [4, 5, 4]);
+    let [first, last] = [1, 5].map(|k| attribute(&found, &format!("record-curves-sample-2-{k}"), "cx"));
+    let [start, end] = [1, 4].map(|k| attribute(&found, &format!("record-curves-sample-1-{k}"), "cx"));
+    assert_eq!([first, last], [start, end], "-5 s and -1 s stand at two places");
+    assert!(found.contains("id=\"record-curves-computed-1\"") && found.contains("id=\"record-curves-computed-3\""));
+    assert!(!found.contains("id=\"record-curves-computed-2\""));
+    assert_eq!(explained(&found)[..2], [true, true]);
+    let whole = svg("60 59 58 55 50 45 km/h", "");
+    assert_eq!(dots(&whole, 1), 6);
+    assert!(!whole.contains("record-curves-computed") && !explained(&whole)[1]);
+    // A pulse along one axis alone.
+    let pulse = "pulse = { time = \"0 10 20 30 40 50 60 ms\", delta_v_longitudinal = \"0 -5 -12 -18 -20 -20 -20 km/h\" }\n";
+    let along = svg("60 59 58 55 50 45 km/h", pulse);
+    assert_eq!(explained(&along)[2..4], [true, false]);
+    assert!(along.contains("aria-label") || along.contains("Charts of vehicle 1: speed over time, service brake, speed over distance, ΔV during the impact"));
+}

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use recorder::{Channel, TextRefusal};
+use recorder::{Channel, TextFault, TextRefusal};
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
@@ -246,11 +246,12 @@ impl<'t> Reader<'t> {
     /// Reports a table that cannot be read, at the place in the text that is wrong.
     fn series_refused<T>(&mut self, table: &Table<'t>, refusal: &SeriesRefusal) -> Option<T> {
         let (key, place) = match refusal {
-            SeriesRefusal::Text(
-                TextRefusal::NoSuchRows { .. } | TextRefusal::NoColumn { .. } | TextRefusal::NotLong,
-            ) => ("rows", None),
-            SeriesRefusal::Text(refusal) => ("text", refusal.place()),
-            SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
+            SeriesRefusal::Text(TextRefusal {
+                fault: TextFault::NoSuchRows { .. } | TextFault::NoColumn { .. } | TextFault::NotLong,
+                ..
+            }) => ("rows", None),
+            SeriesRefusal::Text(refusal) => ("text", refusal.place),
+            SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place),
             _ => (if table.has("text") { "text" } else { "time" }, refusal.place()),
         };
         let problem = CaseProblem::Fault { message: refusal.to_string(), help: refusal.advice() };

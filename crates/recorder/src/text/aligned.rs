@@ -5,7 +5,7 @@ use super::heads::Head;
 use super::raw::RawTable;
 use super::tokens::{Token, bare, is_value, number};
 use crate::channel::{Axis, Channel, ChannelUnit, plain};
-use crate::table::{TextLayout, TextPlace, TextRefusal};
+use crate::table::{TextFault, TextLayout, TextPlace, TextRefusal};
 
 /// (characters) the distance between the stops of a tab.
 const TAB: usize = 8;
@@ -322,11 +322,11 @@ fn bridge(rows: &[Vec<(Span, &Field)>]) -> Vec<Field> {
 fn unplaced_row(row: &[Field]) -> TextRefusal {
     let place = row.first().map_or_else(TextPlace::default, |cell| cell.place);
     let text: Vec<&str> = row.iter().map(|cell| cell.text.as_str()).collect();
-    TextRefusal::CellUnplaced { place, text: text.join("  ") }
+    TextFault::CellUnplaced { text: text.join("  ") }.at(place)
 }
 
 fn unplaced_heading(cell: &Field) -> TextRefusal {
-    TextRefusal::HeadingUnplaced { place: cell.place, text: cell.text.clone() }
+    TextFault::HeadingUnplaced { text: cell.text.clone() }.at(cell.place)
 }
 
 /// A cell of a heading with its columns.

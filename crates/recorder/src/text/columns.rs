@@ -4,7 +4,7 @@ use super::heads::Head;
 use super::raw::RawTable;
 use super::tokens::{Piece, Token, line};
 use crate::channel::{Channel, unit_of};
-use crate::table::{TextLayout, TextPlace, TextRefusal};
+use crate::table::{TextFault, TextLayout, TextPlace, TextRefusal};
 
 /// The table of columns of these channels. Places are those in the text of each.
 pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
@@ -32,6 +32,6 @@ pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
 
 /// The refusal of a list whose values have no unit that fits them.
 pub(crate) fn without_unit(head: &Head) -> TextRefusal {
-    let (place, channel) = (head.place, head.channel);
-    TextRefusal::UnitOfList { place, channel: channel.name(), units: channel.units().join(", ") }
+    let channel = head.channel;
+    TextFault::UnitOfList { channel: channel.name(), units: channel.units().join(", ") }.at(head.place)
 }

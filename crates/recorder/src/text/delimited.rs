@@ -6,7 +6,7 @@ use super::heads::{Head, heading, quoted};
 use super::raw::RawTable;
 use super::tokens::{Token, Word, bare, is_value, number};
 use crate::channel::{Channel, plain, unit_of};
-use crate::table::{TextLayout, TextPlace, TextRefusal};
+use crate::table::{TextFault, TextLayout, TextPlace, TextRefusal};
 
 /// A field of a line.
 #[derive(Clone, Debug)]
@@ -226,7 +226,7 @@ pub(super) fn tables(text: &str, delimiter: char) -> Result<Vec<RawTable>, TextR
         let all = begun(&heading, layout);
         let first = all.columns.first();
         return Err(match first {
-            Some((head, _)) => TextRefusal::NoRows { heading: head.text.clone(), place: head.place },
+            Some((head, _)) => TextFault::NoRows { heading: head.text.clone() }.at(head.place),
             None => super::no_heading(text),
         });
     }
@@ -278,7 +278,7 @@ fn add_row(table: &mut RawTable, fields: &[Field]) -> Result<(), TextRefusal> {
     if found > width {
         let columns = quoted(table.columns.iter().map(|(head, _)| head));
         let place = fields.first().map_or_else(TextPlace::default, |field| field.place);
-        return Err(TextRefusal::Uneven { place, found, expected: width, columns });
+        return Err(TextFault::Uneven { found, expected: width, columns }.at(place));
     }
     let end = fields.last().map_or_else(TextPlace::default, |field| field.place);
     let absent = Field { text: String::new(), place: end };

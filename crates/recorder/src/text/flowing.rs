@@ -5,7 +5,7 @@ use super::raw::{self, RawTable};
 use super::rows::{self, Cell};
 use super::tokens::{Piece, Token, Word, bare, is_value, line, number};
 use crate::channel::Channel;
-use crate::table::{TextLayout, TextPlace, TextRefusal};
+use crate::table::{TextFault, TextLayout, TextPlace, TextRefusal};
 
 /// A heading and the lines of values below it or next to it.
 #[derive(Default)]
@@ -309,7 +309,7 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     let first = segment.heads.first().map_or_else(TextPlace::default, |head| head.place);
     let title = segment.heads.iter().map(|head| head.text.as_str()).collect::<Vec<_>>().join(" | ");
     if segment.lines.is_empty() {
-        return Err(TextRefusal::NoRows { heading: title, place: first });
+        return Err(TextFault::NoRows { heading: title }.at(first));
     }
     // A title above the table that names a quantity of it, "Longitudinal delta-V, 0 to 250 ms", is not a
     // column.
@@ -339,7 +339,7 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
             ""
         };
         let columns = format!("{}{apart}", quoted(segment.heads.iter()));
-        TextRefusal::Uneven { place, found, expected: width, columns }
+        TextFault::Uneven { found, expected: width, columns }.at(place)
     };
     if !flat.len().is_multiple_of(width) {
         return Err(uneven());
@@ -349,9 +349,7 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     let by_columns = are_times(flat.iter().take(rows));
     let layout = match (whole, by_rows, by_columns) {
         (true, ..) => TextLayout::RowLines,
-        (false, true, true) => {
-            either(&segment.heads, &flat).ok_or(TextRefusal::EitherWay { place: first })?
-        }
+        (false, true, true) => either(&segment.heads, &flat).ok_or_else(|| TextFault::EitherWay.at(first))?,
         (false, true, _) => TextLayout::RowAfterRow,
         (false, false, true) => TextLayout::ColumnAfterColumn,
         (false, false, false) => return Err(uneven()),
@@ -452,7 +450,7 @@ fn whole(head: &Head, times: usize) -> Result<(), TextRefusal> {
     }
     let columns =
         format!("as many as there are times, for {}; write - for one that is empty", head.channel.name());
-    Err(TextRefusal::Uneven { place: head.place, found, expected: times, columns })
+    Err(TextFault::Uneven { found, expected: times, columns }.at(head.place))
 }
 
 /// A table of quantities, each with its values after or below it.

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::tokens::{OFF, ON, Word, number};
 use crate::channel::{Axis, Channel, ChannelUnit, denies, heading_at, is_one_of, plain, unit_of};
-use crate::table::{TextPlace, TextRefusal};
+use crate::table::{TextFault, TextPlace, TextRefusal};
 
 /// A heading, recognised.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +34,9 @@ impl Head {
     pub(crate) fn unit(&self) -> Result<(ChannelUnit, Option<ChannelUnit>), TextRefusal> {
         let mut fitting = self.units.iter().copied().filter(|unit| self.channel.takes(unit));
         let first = fitting.next().or_else(|| self.channel.own_unit());
-        let unit = first.ok_or_else(|| TextRefusal::Unit {
-            heading: self.text.clone(),
-            place: self.place,
-            channel: self.channel.name(),
-            units: self.channel.units().join(", "),
+        let unit = first.ok_or_else(|| {
+            let (heading, channel) = (self.text.clone(), self.channel.name());
+            TextFault::Unit { heading, channel, units: self.channel.units().join(", ") }.at(self.place)
         })?;
         Ok((unit, fitting.next()))
     }

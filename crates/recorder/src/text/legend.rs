@@ -3,7 +3,7 @@
 use super::heads::Head;
 use super::tokens::{OFF, ON, Token, bare, number};
 use crate::channel::{Channel, is_one_of};
-use crate::table::TextRefusal;
+use crate::table::{TextFault, TextRefusal};
 
 /// Words for the side of zero on which a direction is.
 const POSITIVE: &str = "positive, pos, +";
@@ -84,7 +84,7 @@ fn unclear(head: &Head) -> TextRefusal {
     } else {
         "write the values positive forward and to the right, and leave out what the heading says of the sign"
     };
-    TextRefusal::Legend { place: head.place, heading: head.text.clone(), instead }
+    TextFault::Legend { heading: head.text.clone(), instead }.at(head.place)
 }
 
 /// The numbers that a heading gives the states of a switch: `0 = On`, `On: 0`.

@@ -12,7 +12,7 @@ use super::heads::Head;
 use super::raw::RawTable;
 use super::tokens::{Token, number};
 use crate::channel::{Channel, unit_of};
-use crate::table::{CellDoubt, NoValue, TextLayout, TextPlace, TextRefusal};
+use crate::table::{CellDoubt, NoValue, TextFault, TextLayout, TextPlace, TextRefusal};
 
 /// The columns of a value.
 const CODE: &str = "PCODE";
@@ -82,12 +82,12 @@ impl LongText {
             let Some(column) = column else {
                 let columns = OF_RECORD.iter().filter(|name| self.column(name).is_some());
                 let known = columns.copied().collect::<Vec<_>>().join(", ");
-                return Err(TextRefusal::NoColumn { name, known });
+                return Err(TextFault::NoColumn { name, known }.into());
             };
             let known = self.values(&rows, &name);
             rows.retain(|row| cell(row, column).text == value);
             if rows.is_empty() {
-                return Err(TextRefusal::NoSuchRows { name, value, known: listed(&known) });
+                return Err(TextFault::NoSuchRows { name, value, known: listed(&known) }.into());
             }
         }
         Ok(rows)
@@ -106,7 +106,7 @@ impl LongText {
             format!("{name} {}", values.first().cloned().unwrap_or_default())
         };
         let example = several.iter().map(first).collect::<Vec<_>>().join(", ");
-        Err(TextRefusal::SeveralRecords { records: records.join(" and "), example })
+        Err(TextFault::SeveralRecords { records: records.join(" and "), example }.into())
     }
 }
 
@@ -146,10 +146,8 @@ pub(crate) fn tables(text: &str, wanted: &str) -> Result<Option<LongTables>, Tex
         }
     }
     if let Some(first) = rows.first().filter(|_| found.is_empty()) {
-        return Err(TextRefusal::NoCodes {
-            place: cell(first, code).place,
-            known: listed(&long.values(&rows, CODE)),
-        });
+        let known = listed(&long.values(&rows, CODE));
+        return Err(TextFault::NoCodes { known }.at(cell(first, code).place));
     }
     Ok(Some(found))
 }
@@ -166,7 +164,7 @@ fn table(
     for row in rows {
         let of_time = cell(row, time);
         let Some(at) = number(&of_time.text, false) else {
-            return Err(TextRefusal::TimeUnreadable { place: of_time.place, text: of_time.text });
+            return Err(TextFault::TimeUnreadable { text: of_time.text }.at(of_time.place));
         };
         if NO_TIME.contains(&at) {
             let reason = NoValue::Code(of_time.text);
@@ -178,7 +176,7 @@ fn table(
         }
         let column = columns.entry(cell(row, code).text).or_default();
         if column.iter().any(|(other, _)| *other == at) {
-            return Err(TextRefusal::TimeTwice { place: of_time.place, time: at });
+            return Err(TextFault::TimeTwice { time: at }.at(of_time.place));
         }
         column.push((at, cell(row, value)));
     }

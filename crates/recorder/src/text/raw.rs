@@ -6,7 +6,9 @@ use super::heads::Head;
 use super::legend::Legend;
 use super::tokens::{NONE, OFF, ON, Token, bare, number};
 use crate::channel::{Channel, ChannelUnit, heading_at, is_one_of, plain, unit_of};
-use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
+use crate::table::{
+    CellDoubt, NoValue, RecorderTable, TableColumn, TextFault, TextLayout, TextPlace, TextRefusal,
+};
 
 /// Columns with their cells as printed.
 pub(crate) struct RawTable {
@@ -118,12 +120,12 @@ fn times(
 ) -> Result<(Vec<f64>, bool), TextRefusal> {
     let mut times: Vec<f64> = Vec::with_capacity(cells.len());
     for cell in cells {
-        let (place, text) = (cell.place, cell.text.clone());
+        let text = cell.text.clone();
         let time = value(cell, Channel::Time, units).map_err(|none| match none {
-            NoValue::OutOfRange { range, .. } => TextRefusal::TimeFar { place, text, range },
-            _ => TextRefusal::TimeUnreadable { place, text },
+            NoValue::OutOfRange { range, .. } => TextFault::TimeFar { text, range },
+            _ => TextFault::TimeUnreadable { text },
         });
-        times.push(time?);
+        times.push(time.map_err(|fault| fault.at(cell.place))?);
     }
     // By most of the steps: a single wrong time, be it the last, does not turn the others.
     let falling = times.windows(2).filter(|pair| pair[1] < pair[0]).count();
@@ -134,12 +136,12 @@ fn times(
     };
     for (pair, cell) in times.windows(2).zip(&cells[1..]) {
         if pair[0] == pair[1] {
-            return Err(TextRefusal::TimeTwice { place: cell.place, time: pair[1] });
+            return Err(TextFault::TimeTwice { time: pair[1] }.at(cell.place));
         }
         let steady = if falls { pair[1] < pair[0] } else { pair[1] > pair[0] };
         if !steady {
             let sense = if falls { "fall" } else { "rise" };
-            return Err(TextRefusal::TimesTurn { place: cell.place, time: pair[1], before: pair[0], sense });
+            return Err(TextFault::TimesTurn { time: pair[1], before: pair[0], sense }.at(cell.place));
         }
     }
     Ok((times, falls))
@@ -168,7 +170,7 @@ fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Re
     }
     let place = cells.first().map_or(head.place, |token| token.place);
     let columns = format!("as many as there are times, for {}", head.channel.name());
-    Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
+    Err(TextFault::Uneven { found: cells.len(), expected, columns }.at(place))
 }
 
 /// Whether a cell may be of a quantity: a state of a switch, a number of any other, or a word for no value.
@@ -245,9 +247,9 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
         let first = columns.into_iter().map(|(head, _)| (head.text, head.place)).chain(ignored).next();
         return Err(match first {
-            Some((heading, place)) if names_time(&heading) => TextRefusal::TimeNotFirst { heading, place },
-            Some((heading, place)) => TextRefusal::NoTime { heading, place },
-            None => TextRefusal::NoHeading { begins: String::new() },
+            Some((heading, place)) if names_time(&heading) => TextFault::TimeNotFirst { heading }.at(place),
+            Some((heading, place)) => TextFault::NoTime { heading }.at(place),
+            None => TextFault::NoHeading { begins: String::new() }.into(),
         });
     };
     while columns[time].1.last().is_some_and(Token::is_empty) && layout == TextLayout::Transposed {
@@ -260,7 +262,7 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let (time_head, time_cells) = columns[time].clone();
     let time_head = in_units_of_cells(time_head, &time_cells);
     if time_cells.is_empty() {
-        return Err(TextRefusal::NoRows { heading: time_head.text, place: time_head.place });
+        return Err(TextFault::NoRows { heading: time_head.text }.at(time_head.place));
     }
     let time_units = time_head.unit()?;
     let (mut seconds, falls) = times(&time_cells, time_units)?;
@@ -306,7 +308,7 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     if read.len() == 1 {
         let headings: Vec<String> = ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
         let found = if headings.is_empty() { String::new() } else { format!(" in {}", headings.join(", ")) };
-        return Err(TextRefusal::NoQuantity { place: time_place, found, known: KNOWN });
+        return Err(TextFault::NoQuantity { found, known: KNOWN }.at(time_place));
     }
     doubts.sort_by_key(|doubt| doubt.place);
     Ok(RecorderTable { layout, columns: read, rows, ignored, left: Vec::new(), doubts, counted_down })
@@ -460,7 +462,7 @@ fn agreeing(
         if let Some(row) = before.differs(&next) {
             let said = [&*before, &next].map(|one| one.quoted(row)).join(" and ");
             let channel = next.column.channel.name();
-            return Err(TextRefusal::Disagree { place: next.cells[row].place, channel, said });
+            return Err(TextFault::Disagree { channel, said }.at(next.cells[row].place));
         }
         if next.step < before.step {
             std::mem::swap(before, &mut next);

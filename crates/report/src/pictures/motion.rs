@@ -2,8 +2,8 @@
 //! over time.
 
 use ::drawing::{
-    Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint, MotionRest,
-    MotionVehicle, SceneArrow, SceneBody, SitePlan,
+    CurveKind, Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint,
+    MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
 use analysis::{Analysis, Travel, TravelOrigin};
 use case::{Axes, Case, PointData, RegionData, SkidBegin, SurfaceData};
@@ -125,10 +125,11 @@ fn vehicle(
     let before = analysis.exchange().filter(|_| !given.fixed).map(|exchange| exchange.before[i].velocity);
     let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
-        label: plain
-            .unwrap_or(PlainSpeed::Exact)
-            .label(analysis.speed(id), units)
-            .unwrap_or_else(|| "before the impact".to_owned()),
+        label: {
+            let speed = plain.unwrap_or(PlainSpeed::Exact).label(analysis.speed(id), units);
+            let whose = if is_plain { format!("vehicle {id}") } else { ["v₁", "v₂"][i].to_owned() };
+            format!("{whose} {}", speed.as_deref().unwrap_or("before the impact"))
+        },
     });
     let is_solved_for = travel.is_some_and(|travel| travel.origin == TravelOrigin::Rest);
     let states = travel.map_or_else(Vec::new, dense);
@@ -279,6 +280,11 @@ fn description(analysis: &Analysis, units: Units, what: &str) -> String {
     sentences.join(" ")
 }
 
+/// Each vehicle with its curve, where a chart has one of both.
+pub(super) fn of_vehicles() -> impl Iterator<Item = (VehicleId, CurveKind)> {
+    VehicleId::ALL.into_iter().zip([CurveKind::First, CurveKind::Second])
+}
+
 /// Speed, yaw rate and heading over time.
 pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<CurvesPicture, DrawingError> {
     if analysis.travel.iter().all(Option::is_none) {
@@ -295,6 +301,8 @@ pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<C
             curves: states
                 .each_ref()
                 .map(|states| states.iter().map(|(time, state, _)| [*time, of(state)]).collect()),
+            samples: Vec::new(),
+            computed: Vec::new(),
             marks: Vec::new(),
         }
     };
@@ -313,9 +321,9 @@ pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<C
             panel("yaw rate", Measure::YawRateDegrees, &|state| lateral(state.motion.yaw_rate)),
             panel("heading", Measure::Angle, &|state| lateral(state.heading)),
         ],
-        legend: VehicleId::ALL.map(|id| {
-            analysis.travel[id.index()].as_ref()?;
-            Some(name_of(id, &case.vehicles[id.index()]))
-        }),
+        legend: of_vehicles()
+            .filter(|(id, _)| analysis.travel[id.index()].is_some())
+            .map(|(id, kind)| (kind, name_of(id, &case.vehicles[id.index()])))
+            .collect(),
     })
 }
