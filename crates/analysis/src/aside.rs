@@ -88,8 +88,15 @@ pub(crate) fn left_aside(case: &Case, used: Used) -> Vec<String> {
             add(!recorder.records.is_empty(), "recorder.records");
         }
     }
+    let bias = case.estimate.and_then(|given| given.crush_bias).filter(|percent| *percent != 100.0);
+    if used.crush && case.reconstruct.is_some() && bias.is_some() {
+        keys.push(CRUSH_BIAS.to_owned());
+    }
     keys
 }
+
+/// The key that says how far crush energies are off, which only an estimate uses.
+pub(crate) const CRUSH_BIAS: &str = "estimate.crush_bias";
 
 /// Whether the case gives damage, rather than stating that there is none.
 fn has_crush(vehicle: &GivenVehicle) -> bool {
@@ -253,5 +260,19 @@ fn below_record(
 pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
     let case = with_records_of_impact(case).case;
     let of = |id: VehicleId| below_record(&case, id, |_| greatest(id), |_, _| LEAST_DIFFERENCE);
+    VehicleId::ALL.into_iter().filter_map(of).collect()
+}
+
+/// Warns if a skid begins faster than any speed in the table of the vehicle's recorder; `least` gives the
+/// lower end of the 95 % interval of the speed where it begins (m/s).
+pub(crate) fn above_records(case: &Case, least: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
+    let case = with_records_of_impact(case).case;
+    let of = |vehicle: VehicleId| {
+        let record = case.vehicles[vehicle.index()].recorder.as_ref()?.before_impact()?;
+        let recorded = record.samples().iter().filter_map(|sample| sample.speed).reduce(f64::max)?;
+        let found = least(vehicle)?;
+        let limit = speed_limit(RECORDER_SPEED_ERROR * recorded);
+        (found - recorded > limit).then_some(Warning::SkidAboveRecord { vehicle, recorded, found })
+    };
     VehicleId::ALL.into_iter().filter_map(of).collect()
 }

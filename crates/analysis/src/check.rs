@@ -11,8 +11,12 @@ use crate::travel::Pass;
 /// (rad) more than the rounding error of sums of a few angles within a turn or two.
 const ANGLE_ROUNDING: f64 = 1e-12;
 
-/// (rad/s) two turns a second: no vehicle turns as fast after an impact.
-const FASTEST_TURN: f64 = 4.0 * PI;
+/// (rad/s) a turn a second: a difference between the yaw rates of vehicles after an impact is rarely as
+/// large.
+const FASTEST_TURN: f64 = 2.0 * PI;
+
+/// (–) a limit of this factor or more tells nothing of two energies.
+const WIDEST_FACTOR: f64 = 4.0;
 
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,6 +70,14 @@ pub enum CheckedQuantity {
         vehicle: VehicleId,
         /// (N·s) to the left of its heading, or to the right in z-down axes.
         surplus: f64,
+    },
+    /// (–) the difference of the impulses that the velocities of both vehicles imply, as a share of their
+    /// mean: beyond 1, momentum says nothing of the impact.
+    MomentumBalance {
+        /// (N·s) the difference.
+        difference: f64,
+        /// (N·s) the mean.
+        impulse: f64,
     },
     /// How far the restitution that they imply lies outside 0 to 1, if the case gives none.
     PossibleRestitution {
@@ -133,6 +145,7 @@ impl CheckedQuantity {
         Rotation { vehicle } => "rotation",
         MomentumEnergy => "momentum-energy",
         MomentumAcross { vehicle } => "momentum-across",
+        MomentumBalance => "momentum-balance",
         PossibleRestitution => "possible-restitution",
         MomentumRestitution => "momentum-restitution",
         MomentumRatio => "momentum-ratio",
@@ -162,6 +175,12 @@ impl Check {
         match self.quantity {
             CheckedQuantity::MomentumYawRate { .. } => self.limit < FASTEST_TURN,
             CheckedQuantity::MomentumRestitution { .. } => self.limit < 1.0,
+            CheckedQuantity::MomentumEnergy { normal_work, crush_energy, .. } => {
+                match normal_work > crush_energy {
+                    true => self.limit < WIDEST_FACTOR - 1.0,
+                    false => self.limit < 1.0 - 1.0 / WIDEST_FACTOR,
+                }
+            }
             _ => true,
         }
     }
@@ -200,6 +219,7 @@ impl Check {
             self.quantity,
             CheckedQuantity::MomentumEnergy { .. }
                 | CheckedQuantity::MomentumAcross { .. }
+                | CheckedQuantity::MomentumBalance { .. }
                 | CheckedQuantity::PossibleRestitution { .. }
                 | CheckedQuantity::MomentumRestitution { .. }
                 | CheckedQuantity::MomentumRatio { .. }

@@ -17,7 +17,7 @@ use std::ops::ControlFlow;
 use ::estimate::{Culprit, DrawnQuantity, DrawsSummary, NoDraws, Posterior, SamplerDoubt, Verdict, Weights};
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, TestedClass};
-use inputs::{Case, SeverityPrior, Unit, table};
+use inputs::{Case, ImpactLaw, SeverityPrior, Unit, VehicleKind, table};
 use pim_core::VehicleId;
 
 use crate::aside;
@@ -25,7 +25,7 @@ use crate::excluded::{Impossible, key};
 use crate::failure::Failure;
 use crate::given::certain_limits;
 use crate::output::Output;
-use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL, PDOF};
+use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL, PDOF, SKID_SPEED};
 use crate::uncertainty::NOISE;
 use crate::warning::Warning;
 pub use agreement::{Agreement, CONTRADICTS, DOUBTFUL};
@@ -131,6 +131,14 @@ impl Estimated {
     }
 }
 
+impl Estimated {
+    /// Whether the damage is only an upper bound, because no vehicle has residual crush.
+    #[must_use]
+    pub fn is_bound(&self) -> bool {
+        self.pieces.iter().any(|found| found.piece == Piece::NoResidualCrush)
+    }
+}
+
 /// The probability that a vehicle stood still.
 #[derive(Clone, Copy, Debug)]
 pub struct Stood {
@@ -171,6 +179,7 @@ pub struct EstimatedOutput {
     /// (SI) after it, if somebody in either vehicle was also known to be seriously hurt; `None` if the prior
     /// is not that of the field, or if too few draws are so severe.
     pub if_injured: Option<DrawsSummary>,
+    is_told: bool,
 }
 
 /// (–) if the 95 % interval after the evidence is wider than this share of the one before, and the median has
@@ -180,9 +189,13 @@ pub const TOLD_BELOW: f64 = 0.8;
 impl EstimatedOutput {
     /// Whether the case gives it or the evidence determines it: its 95 % interval is at most
     /// [`TOLD_BELOW`] of the one before, or its median lies outside the interval that contained half of the
-    /// probability before.
+    /// probability before. The ΔV of both vehicles, whose ratio is that of the masses, are told together.
     #[must_use]
     pub fn is_told(&self) -> bool {
+        self.is_told
+    }
+
+    fn tells(&self) -> bool {
         let Some(before) = &self.prior else { return true };
         let width = |summary: &DrawsSummary| {
             let [.., widest] = &summary.intervals;
@@ -315,14 +328,8 @@ pub fn estimate(
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
-    // Only an energy by a category depends on the age of the car.
-    let is_of_field = |id: VehicleId| {
-        energies[id.index()] != Some(EnergyMethod::Class)
-            || TestedClass::has_cars_of(case.vehicles[id.index()].model_year)
-    };
-    let are_of_field = VehicleId::ALL.into_iter().all(is_of_field);
     let tested = match hit {
-        _ if !is_field || !are_of_field => None,
+        _ if !is_field || !is_as_tested(case, energies) => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,
@@ -351,6 +358,11 @@ pub fn estimate(
         Some(widest.high.value)
     });
     estimated.warnings.extend(below);
+    let above = aside::above_records(case, |id| {
+        let [.., widest] = &estimated.output(SKID_SPEED.of_vehicle(id))?.posterior.intervals;
+        Some(widest.low.value)
+    });
+    estimated.warnings.extend(above);
     // A vehicle that was backing looks like one that was stationary, against the other evidence.
     let is_contradicted = !estimated.with_agreement(Agreement::Contradicts).is_empty();
     let stood = |id: VehicleId| estimated.stood[id.index()].is_some_and(|stood| stood.after.value >= 0.5);
@@ -362,6 +374,33 @@ pub fn estimate(
         VehicleId::ALL.into_iter().filter_map(|id| estimated.not_pushed(case, id)).collect();
     estimated.warnings.extend(not_pushed);
     Ok(estimated)
+}
+
+/// Whether all assumptions of a case are those with which estimates were tested: cars of the years of the
+/// data, Brach's law, and no error, bias or prior of the analyst's own.
+fn is_as_tested(case: &Case, energies: [Option<EnergyMethod>; 2]) -> bool {
+    let given = case.estimate.unwrap_or_default();
+    let is_default = given.crush_error.is_none()
+        && given.crush_bias.is_none()
+        && given.delta_v_median.is_none()
+        && given.stood.is_none();
+    let is_brach = case.impact.as_ref().is_none_or(|impact| matches!(impact.law, ImpactLaw::Brach { .. }));
+    let is_car = |id: VehicleId| {
+        let vehicle = &case.vehicles[id.index()];
+        // Only an energy by a category depends on the age of the car.
+        let is_of_years =
+            energies[id.index()] != Some(EnergyMethod::Class) || TestedClass::has_cars_of(vehicle.model_year);
+        let is_car = vehicle.fixed || vehicle.kind.unwrap_or_default() == VehicleKind::Car;
+        let recorder = vehicle.recorder.as_ref();
+        let has_usual_errors = recorder
+            .is_none_or(|recorder| recorder.delta_v_error.is_none() && recorder.direction_error.is_none());
+        is_of_years && is_car && has_usual_errors
+    };
+    let is_of_evidence = |path: &str| path.ends_with(".crush.pdof") || path.contains(".after.");
+    is_default
+        && is_brach
+        && VehicleId::ALL.into_iter().all(is_car)
+        && !case.ranges.iter().any(|range| is_of_evidence(&range.path))
 }
 
 impl Estimated {
@@ -406,8 +445,14 @@ impl There<'_> {
             prior: before.map(|before| before.summary(DrawnQuantity::Output(place))),
             posterior: posterior.summary(DrawnQuantity::Output(place)),
             if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),
+            is_told: false,
         });
-        estimated.collect()
+        let mut estimated: Vec<EstimatedOutput> = estimated.collect();
+        let tells_delta_v = estimated.iter().any(|found| found.output.is(&DELTA_V) && found.tells());
+        for found in &mut estimated {
+            found.is_told = found.tells() || (tells_delta_v && found.output.is(&DELTA_V));
+        }
+        estimated
     }
 
     /// The unknown numbers before and after the evidence.

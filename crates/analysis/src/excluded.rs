@@ -44,7 +44,7 @@ pub(crate) fn key(piece: Piece) -> String {
     let of = |id: VehicleId, key: &str| format!("{}.{key}", table(id));
     match piece {
         Piece::Severity => "estimate.prior".to_owned(),
-        Piece::Crush => "crush".to_owned(),
+        Piece::Crush | Piece::NoResidualCrush => "crush".to_owned(),
         Piece::Pdof(id) => of(id, "crush.pdof"),
         Piece::SpeedAfter(id) => of(id, "after.speed"),
         Piece::DirectionAfter(id) => of(id, "after.direction"),

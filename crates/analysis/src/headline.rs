@@ -1,13 +1,16 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined and its crush energies
 //! are right on average, and otherwise all the evidence weighed.
 
+use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 
 use ::estimate::DrawsSummary;
 use inputs::Case;
 use pim_core::VehicleId;
+use real::principal_angle;
 
 use crate::analysis::Analysis;
+use crate::aside::CRUSH_BIAS;
 use crate::check::{Check, CheckedQuantity};
 use crate::estimate::{
     Agreement, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence, may_back,
@@ -18,6 +21,7 @@ use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::speeds::BothMethod;
+use crate::vehicle::Vehicle;
 use crate::warning::{Warning, of_categories};
 
 impl<W> Analysis<W> {
@@ -29,6 +33,7 @@ impl<W> Analysis<W> {
                 CheckedQuantity::MomentumYawRate { .. }
                 | CheckedQuantity::MomentumEnergy { .. }
                 | CheckedQuantity::MomentumAcross { .. }
+                | CheckedQuantity::MomentumBalance { .. }
                 | CheckedQuantity::PossibleRestitution { .. } => true,
                 // Under no impact law is it below 0 or above 1.
                 CheckedQuantity::MomentumRestitution { implied, .. } => {
@@ -45,12 +50,12 @@ impl<W> Analysis<W> {
 /// with the rest: a case for momentum of point masses may lack data for that, and a rest position is no
 /// evidence if the vehicle cannot be followed to it.
 pub(crate) fn can_be_weighed(case: &Case, exact: &Analysis) -> bool {
-    let is_biased = exact.energy_share().is_some();
-    if exact.left_aside.is_empty() && !is_biased {
+    let is_off = exact.energy_share().is_some() || exact.takes_bound();
+    if exact.left_aside.is_empty() && !is_off {
         return false;
     }
     let Ok(pieces) = estimate_evidence(case) else { return false };
-    is_biased || exact.left_aside.iter().any(|key| is_of(key, &pieces))
+    is_off || exact.left_aside.iter().any(|key| key == CRUSH_BIAS || is_of(key, &pieces))
 }
 
 /// Whether one of these pieces of evidence comes from a key; those of a recorder from any of its keys.
@@ -77,6 +82,9 @@ pub struct WhyNotExact {
     /// (–) the average share of the impact's energy that its crush energies show, if it does not correct
     /// them.
     pub energy_share: Option<f64>,
+    /// Whether it takes the energy at which residual crush begins for that of the impact, although no vehicle
+    /// has any.
+    pub takes_bound: bool,
 }
 
 impl Analysis {
@@ -104,6 +112,16 @@ impl Analysis {
         self.warnings.iter().find_map(Warning::energy_share)
     }
 
+    /// Whether it depends on the crush energy of vehicles without residual crush, which is only an upper
+    /// bound.
+    #[must_use]
+    pub fn takes_bound(&self) -> bool {
+        let energies = self.vehicles.iter().filter_map(Vehicle::crush_energy).filter(|energy| *energy > 0.0);
+        let without =
+            self.warnings.iter().filter(|one| matches!(one, Warning::NoResidualCrush { .. })).count();
+        self.solved_by().is_by_damage() && without > 0 && without == energies.count()
+    }
+
     /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the
     /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be
     /// weighed but contradicts nothing, and if no speed is unknown.
@@ -116,6 +134,9 @@ impl Analysis {
         let differs = |warning: &Warning| match warning {
             Warning::EvidenceDiffers { .. } | Warning::BelowRecord { .. } => true,
             Warning::MovesBackward { speed, found: true, .. } => *speed < -FASTEST_BACK,
+            Warning::PdofDiffers { given, computed, limit, .. } => {
+                principal_angle(given - computed).abs() > limit.max(PDOF_CONTRADICTS)
+            }
             _ => false,
         };
         let why = WhyNotExact {
@@ -124,6 +145,7 @@ impl Analysis {
             refuted_by: refuted.copied().collect(),
             is_contradicted: self.warnings.iter().any(differs),
             energy_share: self.energy_share(),
+            takes_bound: self.takes_bound(),
         };
         let is_refuted = why.is_contradicted || !why.refuted_by.is_empty();
         (is_refuted || self.can_be_weighed).then_some(why)
@@ -217,6 +239,8 @@ impl Weighed {
     }
 }
 
+/// (rad) 45°: no direction of force that was measured or coded with any care is so far off.
+const PDOF_CONTRADICTS: f64 = FRAC_PI_4;
 /// (m/s) an exact solution that is slower than this did not just round a stop: -2 m/s, as fast as a walk.
 const BACKS: f64 = -2.0;
 /// (m/s) 30 km/h: a solution that is faster backward is wrong, and not that of a vehicle that backed.

@@ -89,6 +89,7 @@ impl Analysis {
     pub(crate) fn with_travel(mut self, travel: [Option<Travel>; 2], surface: Option<SurfaceData>) -> Self {
         let checks = checks::of_travel(&travel);
         warning::of_travel(&travel, self.both.as_ref(), &checks, &mut self.warnings);
+        self.warnings.extend(warning::of_rests(&travel, &self.vehicles));
         self.checks.extend(checks);
         self.travel = travel;
         self.surface = surface;

@@ -55,6 +55,8 @@ pub(crate) const REST_MISSED: f64 = 0.05;
 pub(crate) const REST_SEARCHED: f64 = 0.03;
 /// (m) the assumed accuracy of the survey of a rest position: a choice.
 pub(crate) const REST_SURVEY: f64 = 0.25;
+/// (m) the error of a computed rest or point that even a short path has.
+pub(crate) const REST_LEAST: f64 = 0.5;
 /// (rad/s) a vehicle with a slower yaw rate as it leaves the impact does not spin: 57°/s.
 pub(crate) const SLOW_YAW: f64 = 1.0;
 /// How far a path may miss a point, as a share of the path: EDCRASH's limit for a point on the curve and the

@@ -14,7 +14,7 @@ use trajectory::{
 };
 
 use crate::failure::Failure;
-use crate::thresholds::{POINT_MISSED, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
+use crate::thresholds::{POINT_MISSED, REST_LEAST, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
 
 /// (byte) stack size for threads that call these functions: in unoptimised builds, a search back from a rest
 /// position needs more than the usual 2 MiB.
@@ -62,9 +62,9 @@ pub struct Pass {
 
 impl Pass {
     /// (–) the miss in position, or by the turn of the wheelbase (m) if that is more, as a share of the
-    /// length of the path (m).
-    fn share(&self, wheelbase: f64, distance: f64) -> f64 {
-        let miss = self.miss.max(wheelbase * self.turned.unwrap_or_default().abs());
+    /// length of the path (m). Of the miss, the first `known` metres do not count.
+    fn share(&self, wheelbase: f64, distance: f64, known: f64) -> f64 {
+        let miss = self.miss.max(wheelbase * self.turned.unwrap_or_default().abs()) - known;
         if miss > 0.0 { miss / distance } else { 0.0 }
     }
 
@@ -233,10 +233,10 @@ impl Followed<'_> {
     }
 
     /// (–) the largest miss of a point by the path of a start, in position or by the turn of the wheelbase,
-    /// as a share of the path; zero without points.
+    /// beyond the error that even a short path has, as a share of the path; zero without points.
     fn off(&self, start: &Start) -> Result<f64, Failure> {
         let passes = self.passes(start.motion, Control::default().tolerance)?;
-        let share = |pass: &Pass| pass.share(self.way.chassis.wheelbase(), start.rest.distance);
+        let share = |pass: &Pass| pass.share(self.way.chassis.wheelbase(), start.rest.distance, REST_LEAST);
         Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
@@ -612,7 +612,7 @@ impl Travel {
     /// (–) the miss of each point by the path, in position or by the turn of the wheelbase if that is more,
     /// as a share of the path length.
     pub fn shares_missed(&self) -> impl Iterator<Item = f64> {
-        self.passes.iter().map(|pass| pass.share(self.chassis.wheelbase(), self.rest.distance))
+        self.passes.iter().map(|pass| pass.share(self.chassis.wheelbase(), self.rest.distance, 0.0))
     }
 
     /// (m) from the computed rest position to the measured one, and (rad) between their headings.

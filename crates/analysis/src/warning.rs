@@ -8,7 +8,7 @@ use inputs::{
     After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Origin, Quantity, StiffnessForm,
     StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
-use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
+use pim_core::{Contact, Motion, Outcome, Real, Regime, Switch, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
 
 use crate::check::{Check, CheckedQuantity};
@@ -132,6 +132,20 @@ pub enum Warning {
         /// (m/s) ΔV in the record.
         recorded: f64,
         /// (m/s) ΔV of the answer in the same direction, or the upper end of its 95 % interval.
+        found: f64,
+    },
+    /// The outlines of the vehicles at rest overlap by more than their crush explains.
+    RestsOverlap {
+        /// (m) how far one lies inside the other.
+        depth: f64,
+    },
+    /// A skid begins faster than any speed that the recorder of the vehicle stored before the impact.
+    SkidAboveRecord {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (m/s) the greatest stored speed.
+        recorded: f64,
+        /// (m/s) lower end of the 95 % interval of the speed where the skid begins.
         found: f64,
     },
     /// The answer takes crush energies by categories of stiffness as they are, but on average they are too
@@ -573,6 +587,8 @@ impl Warning {
         NotLocked => "not-locked",
         EvidenceDiffers { vehicle } => "evidence-differs",
         BelowRecord { vehicle } => "below-record",
+        RestsOverlap => "rests-overlap",
+        SkidAboveRecord { vehicle } => "skid-above-record",
         SkidDirection { vehicle } => "skid-direction",
         WreckAlone { vehicle } => "wreck-alone",
         SkidOnGrade { vehicle } => "skid-on-grade",
@@ -680,7 +696,7 @@ pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warn
         data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
     });
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
-    if of == [false; 2] || is_corrected {
+    if of == [false; 2] || is_corrected || case.has_no_residual_crush() {
         return None;
     }
     let years =
@@ -1260,6 +1276,34 @@ const APART: f64 = 1.0;
 pub(crate) fn of_wreck_apart(both: &BothFound) -> Option<Warning> {
     let parting = both.cg_line?.parting_speed;
     (both.locked_together && parting.abs() > APART).then_some(Warning::NotLocked { parting })
+}
+
+/// (m) rest positions are surveyed no better, and bodies are no exact rectangles.
+const OVERLAP: f64 = 0.5;
+
+/// Warns if both measured rests cannot be right, because the bodies there overlap.
+pub(crate) fn of_rests(travel: &[Option<Travel>; 2], vehicles: &[Vehicle; 2]) -> Option<Warning> {
+    // The centre of the body, its axes, and half its length and its width along these.
+    let body = |id: VehicleId| {
+        let travel = travel[id.index()].as_ref()?;
+        let (rest, of) = (travel.measured.as_ref()?, vehicles[id.index()].subject.dimensions?);
+        let (sin, cos) = Real::sin_cos(rest.heading.heading(travel.start.heading));
+        let axes = [Vector2::new(cos, sin), Vector2::new(0.0 - sin, cos)];
+        let centre = rest.position + axes[0] * (of.cg_to_front - 0.5 * of.length);
+        Some((centre, axes, [0.5 * of.length, 0.5 * of.width]))
+    };
+    let [(one, of_one, half_one), (two, of_two, half_two)] = [body(VehicleId::One)?, body(VehicleId::Two)?];
+    let depth_along = |axis: &Vector2<f64>| {
+        let reach = |axes: [Vector2<f64>; 2], half: [f64; 2]| {
+            axes.iter().zip(half).map(|(own, half)| half * own.dot(axis).abs()).sum::<f64>()
+        };
+        reach(of_one, half_one) + reach(of_two, half_two) - (two - one).dot(axis).abs()
+    };
+    // Rectangles overlap by the least of these, if all are positive.
+    let depth = of_one.iter().chain(&of_two).map(depth_along).fold(f64::INFINITY, f64::min);
+    let crush = vehicles.iter().filter_map(|vehicle| vehicle.damage.as_ref());
+    let crush: f64 = crush.map(|damage| damage.depths.iter().copied().fold(0.0, f64::max)).sum();
+    (depth > OVERLAP + crush).then_some(Warning::RestsOverlap { depth })
 }
 
 /// Warnings if a rest position leaves several motions, or if the motion misses a point of the path.

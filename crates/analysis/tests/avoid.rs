@@ -809,6 +809,32 @@ fn unbraked_contradicts_the_table_of_a_recorder() {
     assert_eq!(asked(&text("speed = \"60 km/h\"")).scene.actual, ActualRun::Unbraked(Unbraked::Stated));
 }
 
+/// The table of a recorder is the actual run, and not the marks of the same braking, of which not even the
+/// length has to be known; without the table, or with a speed in `[avoid]`, the marks are.
+#[test]
+fn the_table_of_a_recorder_comes_before_a_skid() {
+    let text = |table: &str, skid: &str, lines: &str| {
+        format!(
+            "[vehicle1]\n{skid}{table}\n[surface]\nfriction = 0.7\n[avoid]\nlimit = \"50 km/h\"\n\
+             reaction_time = \"0.8 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ time = \"1.8 s\" }}\n{lines}"
+        )
+    };
+    let table = "recorder.pre_crash = { time = \"-2 -1.5 -1 -0.5 0 s\", speed = \"64 64 63 52 39 km/h\" }";
+    let [skid, begun] = ["{ length = \"4 m\" }", "{ from = { x = \"-4 m\", y = \"0 m\" } }"]
+        .map(|skid| format!("before.skid = {skid}\nposition = {{ x = \"0 m\", y = \"0 m\" }}\n"));
+    let recorded = asked(&text(table, "", ""));
+    assert!(!matches!(recorded.scene.actual, ActualRun::Skidded(_)));
+    for skid in [&skid, &begun] {
+        let both = asked(&text(table, skid, ""));
+        assert_eq!(both.scene.distance.to_bits(), recorded.scene.distance.to_bits(), "{skid}");
+        assert_eq!(both.scene.actual, recorded.scene.actual);
+    }
+    let given = asked(&text(table, &skid, "speed = \"60 km/h\""));
+    assert!(matches!(given.scene.actual, ActualRun::Skidded(_)), "{:?}", given.scene.actual);
+    let refused = asked_with(&text(table, &begun, "speed = \"60 km/h\""), AvoidPlan::default());
+    assert!(refused.unwrap_err().to_string().contains("needs the length of the skid"));
+}
+
 /// Across the strip of a car 1.8 m wide, another of 4.5 m comes from the right, its front 2 m before its CG:
 /// it is in the strip with its CG from 2.9 m before its middle to 3.4 m behind it.
 #[test]

@@ -321,6 +321,45 @@ rest = {{ x = "{rest} m", y = "0 m", heading = "0 deg" }}
     }
 }
 
+/// A mark of a front wheel, 42 cm beside the path of a car that turned by 66°, as tyre marks are surveyed. A
+/// spin of a full turn more passes it at 24 cm, which does not make it the motion; a mark that only another
+/// spin comes near does.
+#[test]
+fn half_a_metre_of_a_point_chooses_no_spin() {
+    let turned = |points: &str| {
+        let text = format!(
+            r#"
+[surface]
+friction = 0.7
+[vehicle1]
+weight = "3400 lb"
+class = 3
+heading = "0 deg"
+position = {{ x = "95 ft", y = "48.3333 ft" }}
+wheelbase = "107 in"
+track = "61 in"
+cg_to_front_axle = "45 in"
+[vehicle1.after]
+drag = ["locked", 0.02, 0.02, 0.02]
+rest = {{ x = "95.0 ft", y = "42.4 ft", heading = "66 deg" }}
+{points}
+"#
+        );
+        let analysis = motion(&read(&text)).unwrap();
+        let travel = analysis.travel[0].as_ref().unwrap();
+        let turned = (travel.rest.heading - travel.start.heading).to_degrees().round();
+        (turned, travel.passes.first().map_or(0.0, |pass| pass.miss))
+    };
+    let point = |x: f64, y: f64| {
+        turned(&format!("points = [{{ x = \"{x} ft\", y = \"{y} ft\", wheel = \"front left\" }}]"))
+    };
+    assert_eq!(turned("").0, 66.0);
+    let (turn, miss) = point(96.9, 48.7);
+    assert!(turn == 66.0 && (0.4..0.45).contains(&miss), "{turn} {miss}");
+    let (turn, miss) = point(92.0, 47.5);
+    assert!(turn == -294.0 && miss < 0.5, "{turn} {miss}");
+}
+
 /// A car with locked wheels slides 10²/(2·0.7 g) = 7.284 m along x, so that a point 15 % of that to the side,
 /// or where the heading would make 15 % of it on the wheelbase, just counts as one on its path.
 #[test]

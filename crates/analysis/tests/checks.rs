@@ -195,7 +195,16 @@ fn restitution_has_to_be_in_range() {
 fn a_limit_beyond_all_that_happens_is_no_test() {
     let of = |quantity, limit| Check { quantity, value: 0.5, limit }.can_fail();
     let turn = CheckedQuantity::MomentumYawRate { vehicle: VehicleId::One, implied: 0.0, told: 0.5 };
-    assert!(of(turn, 12.5) && !of(turn, 12.6));
+    // A turn a second.
+    assert!(of(turn, 6.28) && !of(turn, 6.29));
+    let energy = |normal_work: f64, crush_energy: f64| CheckedQuantity::MomentumEnergy {
+        normal_work,
+        crush_energy,
+        tangential_share: 0.0,
+    };
+    // A factor of four, in either direction.
+    assert!(of(energy(2.0, 1.0), 2.9) && !of(energy(2.0, 1.0), 3.1));
+    assert!(of(energy(1.0, 2.0), 0.74) && !of(energy(1.0, 2.0), 0.76));
     let bounce = CheckedQuantity::MomentumRestitution { implied: 0.6, given: 0.1 };
     assert!(of(bounce, 0.9) && !of(bounce, 1.1));
 }

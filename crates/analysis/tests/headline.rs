@@ -50,6 +50,110 @@ fn what_is_just_determined_is_solved_exactly() {
     }
 }
 
+/// A share of the analyst's own for the crush energies is used by the estimate alone, so that leads, too.
+#[test]
+fn a_share_of_the_crush_energies_is_not_ignored() {
+    let case = with(REAR_END, "[estimate]\ncrush_bias = \"80 %\"");
+    let exact = reconstruct(&case).unwrap();
+    assert_eq!(exact.left_aside, ["estimate.crush_bias"]);
+    assert_eq!(exact.why_not_exact().unwrap().left_aside, ["estimate.crush_bias"]);
+    // The impact is solved forward: its crush is only compared.
+    assert!(impact(&with(FORWARD, "[estimate]\ncrush_bias = \"80 %\"")).unwrap().left_aside.is_empty());
+}
+
+/// A solution that takes the energy at which residual crush begins for that of the impact, although no
+/// vehicle has any, does not lead; with crush on one vehicle it does.
+#[test]
+fn a_solution_by_an_upper_bound_does_not_lead() {
+    let text = |depths: &str| {
+        let own = |n: u8, side: &str, depths: &str| {
+            format!(
+                "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\n\
+                 contact = {{ x = \"{} m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"{side}\"\nwidth = \"1.5 m\"\n\
+                 depths = \"{depths} cm\"\nstiffness = {{ A = \"300 N/cm\", B = \"40 N/cm^2\" }}\n",
+                if n == 1 { 2 } else { -2 }
+            )
+        };
+        format!(
+            "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.3\n\
+             tangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n",
+            own(1, "front", depths),
+            own(2, "rear", "0 0").replace("heading", "speed = \"0 km/h\"\nheading"),
+        )
+    };
+    let exact = reconstruct(&read(&text("0 0"))).unwrap();
+    let why = exact.why_not_exact().unwrap();
+    assert!(why.takes_bound && why.left_aside.is_empty() && !why.is_contradicted);
+    // w A²/2B of both.
+    let energy = 2.0 * 1.5 * 30e3_f64.powi(2) / (2.0 * 400e3);
+    let found: f64 = exact.vehicles.iter().filter_map(|vehicle| vehicle.crush_energy()).sum();
+    assert!((found - energy).abs() < 1e-9 * energy);
+    let weighed = weigh(&read(&text("0 0")), &exact, &PLAN, &mut |_, _, _| ControlFlow::Continue(()));
+    let weighed = weighed.unwrap().unwrap();
+    let speed = weighed.summary(SPEED.of_vehicle(VehicleId::One)).unwrap().median.value;
+    assert!(speed < 0.8 * exact.speed(VehicleId::One), "{speed}");
+    assert!(reconstruct(&read(&text("0 4"))).unwrap().why_not_exact().is_none());
+}
+
+/// Both vehicles go off to one side after a collision on one line: the impulses that their rests imply differ
+/// by more than their mean, and nothing is left of momentum.
+#[test]
+fn rests_that_balance_no_momentum_refute_the_solution() {
+    let moved = BOTH
+        .replace(
+            "x = \"2.6 m\", y = \"0.1 m\", heading = \"2 deg\"",
+            "x = \"2.6 m\", y = \"2.6 m\", heading = \"2 deg\"",
+        )
+        .replace("x = \"19.0 m\", y = \"0.3 m\"", "x = \"14 m\", y = \"14 m\"");
+    for (text, fails) in [(BOTH, false), (moved.as_str(), true)] {
+        let exact = reconstruct(&read(text)).unwrap();
+        let implied = &exact.both.as_ref().unwrap().implied;
+        let [one, two] = implied.impulses;
+        let apart = (one - two).norm() / (0.5 * (one + two)).norm();
+        let check = exact.checks.iter().find(|check| check.code() == "momentum-balance").unwrap();
+        assert!((check.value - apart).abs() < 1e-12 * apart && (apart > 1.0) == fails, "{apart}");
+        assert_eq!(exact.refuting().any(|check| check.code() == "momentum-balance"), fails);
+    }
+}
+
+/// Two bodies cannot stand in one place: 2 m apart along their common heading they overlap by their width,
+/// more than their crush explains. Where one stands beside the other, or behind it, they do not.
+#[test]
+fn rests_inside_each_other_are_doubted() {
+    let overlap = |x: f64, y: f64, heading: f64| {
+        let rest = format!("rest = {{ x = \"{x} m\", y = \"{y} m\", heading = \"{heading} deg\" }}");
+        let case =
+            read(&BOTH.replace("rest = { x = \"19.0 m\", y = \"0.3 m\", heading = \"-3 deg\" }", &rest));
+        let warnings = reconstruct(&case).unwrap().warnings;
+        warnings.iter().find_map(|warning| match warning {
+            Warning::RestsOverlap { depth } => Some(*depth),
+            _ => None,
+        })
+    };
+    let depth = overlap(4.6, 0.1, 2.0).unwrap();
+    // Half of each width, of CRASH3's classes 3 and 2.
+    assert!((1.5..2.0).contains(&depth), "{depth}");
+    assert_eq!([overlap(19.0, 0.3, -3.0), overlap(7.3, 0.1, 2.0), overlap(4.6, 2.3, 2.0)], [None; 3]);
+}
+
+/// A PDOF that is a right angle from that of the impact contradicts the solution, one that is 20° off only
+/// warns.
+#[test]
+fn a_pdof_that_cannot_be_right_is_weighed() {
+    let case = |pdof: f64| {
+        read(&REAR_END.replacen(
+            "[vehicle1.crush]\n",
+            &format!("[vehicle1.crush]\npdof = \"{pdof} deg\"\n"),
+            1,
+        ))
+    };
+    let computed = reconstruct(&read(REAR_END)).unwrap().exchange().unwrap().pdof[0].to_degrees();
+    for (off, contradicts) in [(90.0, true), (-60.0, true), (20.0, false)] {
+        let exact = reconstruct(&case((computed + off).round())).unwrap();
+        assert_eq!(exact.why_not_exact().is_some_and(|why| why.is_contradicted), contradicts, "{off}");
+    }
+}
+
 /// Energies by categories were on average 45 % of the impact's where a side was hit, 51 % in crashes into
 /// fixed objects. A solution that takes them as they are does not lead: the answer is faster.
 #[test]

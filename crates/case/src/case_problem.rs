@@ -223,6 +223,9 @@ impl CaseProblem {
             Self::Utf16 { help } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
             Self::Syntax { help, .. } => help.to_string(),
             Self::UnknownKey { belongs, nearest, known, table, key } => match (belongs, nearest) {
+                (Some(belongs), None) if key == "grade" && table.contains("zone") => {
+                    format!("a zone has no grade of its own: in {belongs} it tilts all of the scene")
+                }
                 (Some(belongs), None) => format!("it belongs in {belongs}"),
                 (Some(belongs), Some(nearest)) => {
                     format!("did you mean \"{nearest}\"? \"{key}\" belongs in {belongs}")

@@ -591,7 +591,7 @@ const STORED: [KeyInfo; 11] = keys! {
     r#"speed = "55 km/h""#: Form::Exact(Dimension::Speed, POSITIVE),
         r#"Speed just before the impact. For a stationary vehicle, leave it out and write `speed = "0 km/h"` in the table of the vehicle."#;
     r#"speed_error = "4 %""#: Form::Percent(POSITIVE),
-        "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; locked or spinning wheels make it larger.";
+        "Error of the recorded speed, as a standard deviation in per cent. If left out, 4 %, or what the table before the impact implies; locked or spinning wheels make it larger.";
     r#"yaw_rate = "90 deg/s""#: Form::Exact(Dimension::YawRate, ANY),
         r#"Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = "z-down"`."#;
     r#"yaw_rate_error = "15 deg/s""#: Form::Exact(Dimension::YawRate, POSITIVE),
@@ -1169,7 +1169,7 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
         r#"find = "vehicle1.speed""#: Form::WordOrAll(&words_of(&UNKNOWNS)),
             "The speed to find. The other vehicle's speed must be known, unless that vehicle is fixed. A list of both speeds finds both, from the motion of both vehicles after the impact.";
         r#"energy_basis = "dissipated""#: Form::WordsOrTable(&words_of(&ENERGY_BASES), &ENERGY_BASIS),
-            r#"What the crush energy stands for. `"dissipated"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `"absorbed"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests; `{ tangential_share = … }`: as `"dissipated"`, but the damage also shows a share of the work of the tangential impulse."#;
+            r#"What the crush energy stands for. `"dissipated"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `"absorbed"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests; `{ tangential_share = … }`: as `"dissipated"`, but the damage also shows a share of the work of the tangential impulse. Without this key, `deltav estimate` takes that share as unknown."#;
     },
     rules: &[Rule::Needs(&["find"])],
 };

@@ -68,6 +68,9 @@ pub struct Observed {
     pub severity: Option<Severity>,
     /// The misfit between crush energy and impact; `None` if the crush is not evidence.
     pub crush: Option<CrushErrors>,
+    /// Whether no vehicle has residual crush, so that the crush energy is only an upper bound: the energy at
+    /// which residual crush begins.
+    pub crush_is_bound: bool,
     /// The errors of the fitted figures behind the crush energies; `None` if none was fitted, or if they are
     /// taken as exact.
     pub figures: Option<CrushFigures>,

@@ -143,6 +143,12 @@ impl Mixture {
         ln(terms.iter().sum()) - least - LN_ROOT_TAU
     }
 
+    /// (–) the probability that such an error lies below this one: Σ w Φ(ε/σ).
+    #[inline(always)]
+    pub(crate) fn below(&self) -> f64 {
+        self.0.iter().map(|[error, sd, weight]| weight * cumulative(error / sd)).sum()
+    }
+
     /// Its normal score: z with Φ(z) = Σ w Φ(ε/σ).
     pub(crate) fn score(&self) -> f64 {
         let is_above = self.0[1][0] > 0.0;

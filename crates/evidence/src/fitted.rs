@@ -65,7 +65,7 @@ const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_
 /// (years) the model years between which the bias of energies by a category of CRASH3's table grows from
 /// nothing to that of the field: the year of the RICSAC cars, for which they are right on average, and the
 /// mean year of the field.
-const MODEL_YEARS: [f64; 2] = [1977.0, 2010.0];
+pub(crate) const MODEL_YEARS: [u16; 2] = [1977, 2010];
 
 /// The misfit of energies by a category of CRASH3's table in the field: for fronts only, if a rear was hit,
 /// if a side was hit, and for a front against a fixed object.
@@ -321,7 +321,7 @@ fn kind(hit: &[DamagedSide]) -> usize {
 
 /// (–) how far the stiffness of a car has gone from those of CRASH3's table to those of the field.
 fn newer(model_year: Option<u16>) -> f64 {
-    let [old, new] = MODEL_YEARS;
+    let [old, new] = MODEL_YEARS.map(f64::from);
     model_year.map_or(1.0, |year| ((f64::from(year) - old) / (new - old)).clamp(0.0, 1.0))
 }
 
@@ -366,6 +366,12 @@ impl Fitted {
             CATEGORY_SHARES;
         [self.slope_ln_sd, self.no_damage_speed_ln_sd] = CATEGORY_SPREADS;
         self
+    }
+
+    /// (–) average share of the impact's energy that crush energies show with the stiffness of the fleet.
+    #[must_use]
+    pub fn crush_shown(&self) -> f64 {
+        real::elementary::exp(self.crush_bias)
     }
 
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.

@@ -4,6 +4,7 @@ use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Outcome, Vector2, VehicleId};
 use real::elementary::{atan2, exp, ln};
 use real::{Real, principal_angle};
+use uncertainty::normal::cumulative;
 use uncertainty::{Distribution, Instructions, LANES, Lanes, dispatch};
 
 use crate::collision::{
@@ -25,6 +26,8 @@ pub enum Piece {
     Severity,
     /// The crush energy of both vehicles, or of the one whose crush is known.
     Crush,
+    /// The energy at which residual crush begins, where no vehicle has any: the impact took no more.
+    NoResidualCrush,
     /// PDOF as coded. One investigator codes those of both vehicles and makes them opposite: only the one
     /// with the smaller error counts, or the mean of two with the same. Of two that
     /// [differ](Observed::pdofs_differ), the one that is nearer to a collision counts.
@@ -107,7 +110,8 @@ impl<I: Impacts> CollisionModel<I> {
     pub fn of(impacts: I, observed: Observed) -> Self {
         let mut pieces = Vec::new();
         pieces.extend(observed.severity.map(|_| Piece::Severity));
-        pieces.extend(observed.crush.map(|_| Piece::Crush));
+        let of_crush = if observed.crush_is_bound { Piece::NoResidualCrush } else { Piece::Crush };
+        pieces.extend(observed.crush.map(|_| of_crush));
         let coded = |id: VehicleId| observed.vehicles[id.index()].pdof.map(|coded| (coded.scale, id));
         let pdof = VehicleId::ALL.into_iter().filter_map(coded).min_by(|a, b| a.0.total_cmp(&b.0));
         pieces.extend(pdof.map(|(_, id)| Piece::Pdof(id)));
@@ -300,22 +304,35 @@ impl<I: Impacts> CollisionModel<I> {
                 let [v1, v2] = impacted.speeds;
                 let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
                 let injured = severity.injury.map_or(0.0, |risk| risk.ln_in_either(delta_v));
+                let size = 0.5 * ln(dv1 * dv2 / (severity.median * severity.median));
+                if self.observed.crush_is_bound {
+                    // No more severe than such a collision: P(S ≥ s) = Φ(−ln(s/median)/σ).
+                    let share = cumulative(-(size + beyond) / severity.ln_sd).max(f64::MIN_POSITIVE);
+                    return Error { potential: often + injured + ln(share), ..Error::NONE };
+                }
                 Error {
                     potential: often + injured,
-                    ..Error::normal(
-                        severity.error(0.5 * ln(dv1 * dv2 / (severity.median * severity.median))) + beyond,
-                        severity.ln_sd,
-                    )
+                    ..Error::normal(severity.error(size) + beyond, severity.ln_sd)
                 }
             }
-            Piece::Crush => {
+            Piece::Crush | Piece::NoResidualCrush => {
                 let Some(misfit) = self.observed.crush else { return Error::NONE };
+                let is_bound = matches!(piece, Piece::NoResidualCrush);
                 let (energies, taken) = (impacted.crush_energies, impacted.taken);
                 match &self.observed.figures {
+                    None if is_bound => {
+                        // P(W ≤ E) = Φ(ε/σ)
+                        let share = cumulative(misfit.error(energies, taken).score());
+                        Error { potential: ln(share.max(f64::MIN_POSITIVE)), ..Error::NONE }
+                    }
                     None => misfit.error(energies, taken),
                     Some(figures) => {
                         let mixture = misfit.mixture(figures, &impacted.crush_changes, energies, taken);
-                        Error { potential: mixture.log_density(), ..Error::NONE }
+                        let potential = match is_bound {
+                            true => ln(mixture.below().max(f64::MIN_POSITIVE)),
+                            false => mixture.log_density(),
+                        };
+                        Error { potential, ..Error::NONE }
                     }
                 }
             }

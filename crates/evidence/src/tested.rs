@@ -1,6 +1,10 @@
 //! The real collisions on which the intervals of estimates were tested.
 
-use crate::fitted::{DamagedSide, EnergyMethod};
+use core::ops::RangeInclusive;
+
+use pim_core::VehicleId;
+
+use crate::fitted::{DamagedSide, EnergyMethod, MODEL_YEARS};
 use crate::model::Piece;
 
 /// A class of real collisions on which estimates were tested.
@@ -26,8 +30,8 @@ const HELD_OUT: &str = "cars of 1991 to 2018 in CISS 2017, with stiffnesses by c
                         fitted to other crashes";
 const SEEN: &str =
     "cars of 1991 to 2018 in CISS 2017, with stiffnesses by category, to which the figures were fitted";
-/// The oldest model year among these cars.
-const OLDEST: u16 = 1991;
+/// The model years of these cars for which the age changes no figure, as it was not counted in the tests.
+const YEARS: RangeInclusive<u16> = MODEL_YEARS[1]..=2018;
 
 /// docs/calibration.md, section Categories of CRASH3's table.
 const FRONTS: TestedClass = TestedClass {
@@ -87,7 +91,7 @@ const OBJECT: TestedClass = TestedClass {
 /// The same, section Staged collisions.
 const AFTER: TestedClass = TestedClass {
     code: "velocities-after",
-    collisions: "the velocities after the impact were known as well as the crush",
+    collisions: "the velocities of both vehicles after the impact were known as well as the crush",
     quantity: "speed",
     n: 19,
     inside95: 18.0 / 19.0,
@@ -96,10 +100,11 @@ const AFTER: TestedClass = TestedClass {
 };
 
 impl TestedClass {
-    /// Whether the cars with stiffnesses by category were of this model year; one that is not known may be.
+    /// Whether cars of this model year were tested with the figures that it now has; one that is not known
+    /// may be.
     #[must_use]
     pub fn has_cars_of(model_year: Option<u16>) -> bool {
-        model_year.is_none_or(|year| year >= OLDEST)
+        model_year.is_none_or(|year| YEARS.contains(&year))
     }
 
     /// All of them.
@@ -132,6 +137,7 @@ impl TestedClass {
         if !energies.into_iter().all(is_tested) || energies == [None; 2] {
             return None;
         }
+        let is_pair = hit.contains(&DamagedSide::Front);
         let (mut after, mut recorders) = (false, [false; 2]);
         for piece in pieces {
             match piece {
@@ -144,15 +150,21 @@ impl TestedClass {
                 | Piece::RecordedSpeed(_)
                 | Piece::RecordedYawRate(_)
                 | Piece::SkidSpeed(_)
-                | Piece::Limits(_) => return None,
+                | Piece::Limits(_)
+                | Piece::NoResidualCrush => return None,
             }
         }
+        // As in RICSAC.
+        let velocities = VehicleId::ALL.map(|id| [Piece::SpeedAfter(id), Piece::DirectionAfter(id)]);
+        let all_after = velocities.iter().flatten().all(|piece| pieces.contains(piece));
         let is_of_class = energies.into_iter().flatten().all(|method| method == EnergyMethod::Class);
         let have_both = energies.into_iter().all(|method| method.is_some());
         match (after, recorders) {
             // In RICSAC the stiffness is given, in the field it is by category, and all PDOFs are coded.
-            (true, [false, false]) if energies == [Some(EnergyMethod::Coefficients); 2] => Some(&AFTER),
-            _ if !is_of_class || after || !has_pdof(pieces) => None,
+            (true, [false, false]) if energies == [Some(EnergyMethod::Coefficients); 2] && all_after => {
+                Some(&AFTER)
+            }
+            _ if !is_of_class || after || !is_pair || !has_pdof(pieces) => None,
             (false, [true, false] | [false, true]) if have_both => Some(&WITH_RECORDER),
             (false, [false, false]) if !have_both => Some(&ONE_CRUSH),
             (false, [false, false]) => match hit {
@@ -207,7 +219,11 @@ mod tests {
         let both = [&with(Piece::RecordedDeltaV(Two))[..], &[Piece::RecordedDeltaV(One)]].concat();
         assert_eq!(code([Front, Side], [CLASS; 2], &both), None);
         let given = Some(EnergyMethod::Coefficients);
-        assert_eq!(code([Front, Side], [given; 2], &with(Piece::SpeedAfter(One))), Some("velocities-after"));
+        let speeds = [One, Two].map(|id| [Piece::SpeedAfter(id), Piece::DirectionAfter(id)]);
+        let velocities = [&crush[..], speeds.as_flattened()].concat();
+        assert_eq!(code([Front, Side], [given; 2], &velocities), Some("velocities-after"));
+        assert_eq!(code([Front, Side], [given; 2], &velocities[..6]), None);
+        assert_eq!(code([Side, Side], [CLASS, None], &crush), None);
         assert_eq!(code([Front, Side], [CLASS; 2], &with(Piece::SpeedAfter(One))), None);
         assert_eq!(code([Front, Side], [given; 2], &crush), None);
         assert_eq!(code([Front, Side], [Some(EnergyMethod::Ees), CLASS], &crush), None);

@@ -96,6 +96,52 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
 }
 
+/// ln Φ(z), by Simpson's rule.
+fn ln_cumulative(z: f64) -> f64 {
+    let (from, steps) = (-12.0, 20_000);
+    let step = (z - from) / f64::from(steps);
+    let density = |x: f64| (-0.5 * x * x).exp() / (2.0 * PI).sqrt();
+    let weight = |k: i32| {
+        if k == 0 || k == steps {
+            1.0
+        } else if k % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
+    (0..=steps).map(|k| weight(k) * density(from + f64::from(k) * step)).sum::<f64>().ln() + (step / 3.0).ln()
+}
+
+/// The energy at which residual crush begins is only as much as the impact took at most, and a collision
+/// without residual crush is no more severe than one after which a vehicle was towed.
+#[test]
+fn without_residual_crush_energy_and_severity_are_bounds() {
+    let mut collision = rear_end();
+    let crush = |constant: f64| CrushNumbers {
+        constant,
+        linear: 0.0,
+        square: 0.0,
+        slope: Number::Exact(1.0),
+        no_damage_speed: Number::Exact(1.0),
+    };
+    collision.vehicles[0].crush = Some(crush(30e3));
+    collision.vehicles[1].crush = Some(crush(25e3));
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
+    collision.observed.crush_is_bound = true;
+    let [(Piece::NoResidualCrush, term)] = terms(&collision)[..] else { panic!() };
+    close(term, ln_cumulative(((55e3 / 66_825.0_f64).ln() + 0.2) / 0.4));
+    let severity = Severity { uniform_speeds: 1, ..FITTED.severity };
+    collision.observed.severity = Some(severity);
+    let [(Piece::Severity, term), _] = terms(&collision)[..] else { panic!() };
+    let model = CollisionModel::new(&collision);
+    let impacted = &model.leads().impacts(&[])[0];
+    let [dv1, dv2] = impacted.outcome.delta_v_magnitude();
+    let [v1, v2] = impacted.speeds;
+    let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
+    close(term, ln_cumulative(-((dv1 * dv2).sqrt() / severity.median).ln() / severity.ln_sd) + often);
+}
+
 /// For one vehicle: ln E₁ = ln(W_n + λ W_t) + ln s + b + error, with its share s of both energies.
 #[test]
 fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {

@@ -313,6 +313,7 @@ impl Pair {
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
                 pdofs_differ: false,
+                crush_is_bound: false,
                 severity: Some(fitted.severity_of(&layout.damages)),
                 crush: Some(fitted.crush_misfit(&layout.damages).into()),
                 figures: fitted

@@ -84,6 +84,7 @@ impl Crash for ObjectCrash {
             observed: Observed {
                 vehicles: [observed(vehicle, is_given, self.has_pdof, fitted), ObservedVehicle::default()],
                 pdofs_differ: false,
+                crush_is_bound: false,
                 severity: Some(fitted.objects.severity),
                 crush: Some(fitted.objects.misfit.into()),
                 figures: fitted.objects.figures([vehicle.behind(), Behind::Nothing]),

@@ -11,6 +11,7 @@ use pim_core::{Real, VehicleId};
 use crate::avoid::Avoid;
 use crate::axes::Axes;
 use crate::basis::Basis;
+use crate::crush::{Crush, KnownEnergy};
 use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
@@ -161,6 +162,19 @@ impl<T: Real> Case<T> {
     pub fn courses(&self) -> [Option<T>; 2] {
         let headings = self.headings();
         VehicleId::ALL.map(|id| self.course(id).or(headings[id.index()]))
+    }
+
+    /// Whether the damage is measured, and no vehicle has residual crush: the crush energy is then only an
+    /// upper bound.
+    #[must_use]
+    pub fn has_no_residual_crush(&self) -> bool {
+        let has_energy = |vehicle: &&GivenVehicle<T>| {
+            let ees = vehicle.energy.as_ref().and_then(KnownEnergy::ees);
+            vehicle.crush.is_some() || ees.is_some() || vehicle.deformation_energy.is_some()
+        };
+        let mut damaged = self.vehicles.iter().filter(has_energy).peekable();
+        damaged.peek().is_some()
+            && damaged.all(|vehicle| vehicle.crush.as_ref().is_some_and(Crush::has_no_residual))
     }
 
     /// (rad) the angle between these directions.

@@ -44,6 +44,14 @@ pub struct Crush<T = f64> {
     pub oblique: Option<ObliqueCorrection<T>>,
 }
 
+impl<T: Real> Crush<T> {
+    /// Whether it was measured, and all its depths are zero.
+    #[must_use]
+    pub fn has_no_residual(&self) -> bool {
+        !self.depths.is_empty() && self.depths.iter().all(|depth| depth.si().value() == 0.0)
+    }
+}
+
 /// A damage whose energy is known, but not its crush.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownEnergy<T = f64> {

@@ -100,6 +100,15 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
                 format!("±{}", impulse(check.limit)),
             )
         }
+        CheckedQuantity::MomentumBalance { difference, impulse } => (
+            "momentum: impulses".to_owned(),
+            format!(
+                "{} apart of {}",
+                units.format(Measure::Impulse, difference),
+                units.format(Measure::Impulse, impulse)
+            ),
+            "their mean".to_owned(),
+        ),
         CheckedQuantity::PossibleRestitution { implied } => (
             "momentum: possible restitution".to_owned(),
             number(implied, 2),

@@ -32,8 +32,8 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
             number(-100.0 * energy.tangential_work / energy.loss, 1)
         ));
     }
-    if !adds_up(energy, |work| units.value(Measure::Energy, work).round())
-        || !adds_up(energy, |work| (1000.0 * work / energy.before).round())
+    if !adds_up(energy, |work| units.value(Measure::Energy, work).round_ties_even())
+        || !adds_up(energy, |work| (1000.0 * work / energy.before).round_ties_even())
     {
         notes.push(
             "Each figure is rounded separately, so a sum of printed figures may be off by one in the last \

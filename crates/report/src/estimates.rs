@@ -105,6 +105,7 @@ pub(crate) fn piece_name(piece: Piece) -> String {
     let (name, vehicle) = match piece {
         Piece::Severity => return "severity of such collisions".to_owned(),
         Piece::Crush => return "crush energy".to_owned(),
+        Piece::NoResidualCrush => return "no residual crush (upper bound)".to_owned(),
         Piece::Pdof(id) => ("PDOF", id),
         Piece::SpeedAfter(id) => ("speed after", id),
         Piece::DirectionAfter(id) => ("direction after", id),
@@ -140,7 +141,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
     };
     Some(match piece {
         Piece::Severity | Piece::Limits(_) => return None,
-        Piece::Crush => crush_error(observed)?,
+        Piece::Crush | Piece::NoResidualCrush => crush_error(observed)?,
         Piece::Pdof(id) => {
             format!("scale {}, Student's t with 2 degrees of freedom", angle(of(id).pdof?.scale))
         }
@@ -228,9 +229,11 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             _ => String::new(),
         };
         let (energies, usual_error) = match method {
-            EnergyMethod::Class => {
-                ("by CRASH3's categories", "Their error is that found in crashes with recorders.")
-            }
+            EnergyMethod::Class => (
+                "by CRASH3's categories",
+                "Their error is that found in crashes with recorders, in which ΔV was still a fifth too low on average \
+                 where a vehicle was crushed 45 cm or more (docs/calibration.md).",
+            ),
             EnergyMethod::Coefficients => (
                 "from the stiffness that the case gives",
                 "Their error is the part of the error in real crashes that is not due to the stiffness and, \
@@ -255,6 +258,12 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             (true, false) => format!(
                 "{energies} are on average {shown} % of what such an impact takes; they are multiplied by {times} \
                  (docs/calibration.md; `model_year` and `crush_bias` change it)."
+            ),
+            (true, true) if matches!(method, EnergyMethod::Coefficients | EnergyMethod::Test) => format!(
+                "{energies} are taken as right on average, which no crash with a recorder has tested: with the stiffness of \
+                 the fleet by barrier tests, energies were on average {} % of what such an impact takes \
+                 (docs/calibration.md; `crush_bias` says so of this case).",
+                percent(FITTED.crush_shown())
             ),
             (true, true) => format!("{energies} are taken as right on average."),
             (false, _) => format!(
@@ -295,7 +304,7 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     Some(match piece.piece {
         Piece::Severity | Piece::Limits(_) => return None,
         Piece::Rest(_) | Piece::Points(_) => "estimate.rest_error".to_owned(),
-        Piece::Crush => "estimate.crush_error".to_owned(),
+        Piece::Crush | Piece::NoResidualCrush => "estimate.crush_error".to_owned(),
         Piece::RecordedDeltaV(_)
         | Piece::LeastDeltaV(_)
         | Piece::RecordedSpeed(_)

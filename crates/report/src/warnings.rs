@@ -140,6 +140,12 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
              speed of vehicle {vehicle} explains",
             units.format(Measure::Impulse, surplus.abs())
         ),
+        CheckedQuantity::MomentumBalance { difference, impulse } => format!(
+            "the velocities after the impact imply impulses on the two vehicles that differ by {}, more than their mean of {}, \
+             so they say nothing of the impact itself",
+            units.format(Measure::Impulse, difference),
+            units.format(Measure::Impulse, impulse)
+        ),
         CheckedQuantity::PossibleRestitution { implied } => {
             format!(
                 "the restitution would be {}, which is impossible: {}",
@@ -258,6 +264,18 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
              the record is of this impact",
             speed(*recorded),
             speed(*found)
+        ),
+        Warning::RestsOverlap { depth } => format!(
+            "at rest, the outlines of the two vehicles overlap by {}, more than their crush explains; check both rest \
+             positions and headings, and the dimensions of the bodies",
+            units.format(Measure::Length, *depth)
+        ),
+        Warning::SkidAboveRecord { vehicle, recorded, found } => format!(
+            "the skid of vehicle {vehicle} begins at {} or more, but its recorder stored at most {} before the impact; \
+             check the length and the friction of the skid, that the marks are of this vehicle, and that the record \
+             is of this impact",
+            speed(*found),
+            speed(*recorded)
         ),
         Warning::CategoryEnergy { of, share, is_alone, is_year_assumed } => format!(
             "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {}, crush \

@@ -4,7 +4,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use analysis::{EvidenceMethod, Evident, Hypothesis, Pass, Vehicle};
+use analysis::{Analysis, EvidenceMethod, Evident, Hypothesis, Pass, Vehicle};
 use case::{Case, Find, Fit, Program, SIDES, StiffnessSource, Text, UNKNOWNS, VehicleKind, word};
 use crash3::Side;
 use pim_core::Regime;
@@ -154,6 +154,16 @@ pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
         EvidenceMethod::MomentumAndDamage => "momentum and damage",
         EvidenceMethod::Weighed { .. } => "momentum and damage, weighed",
     }
+}
+
+/// That some figures are those of an exact solution that is not the answer to its case.
+pub(crate) fn not_the_answer(figures: &str, analysis: &Analysis) -> Option<String> {
+    analysis.why_not_exact()?;
+    Some(format!(
+        "All {figures} are for the exact solution by {}, which is not the answer to the case: `deltav reconstruct` \
+         says why, and weighs all evidence.",
+        solution(analysis.solved_by())
+    ))
 }
 
 /// Keys of the case in backticks, with a word or a comma between them.

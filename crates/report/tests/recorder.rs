@@ -344,26 +344,28 @@ fn the_charts_show_what_was_stored() {
         let value = svg[start..].split_once(&format!("{name}=\"")).unwrap().1;
         value.split_once('"').unwrap().0.parse().unwrap()
     };
-    let dots = |svg: &str, chart: u8| svg.matches(&format!("id=\"record-curves-sample-{chart}-")).count();
-    let explained = |svg: &str| {
-        ["stored value", "to the median of the speed at impact", "longitudinal ΔV", "lateral ΔV", "49 CFR 563.5"]
-            .map(|words| svg.contains(&format!(">{words}")) || svg.contains(&format!("{words}, positive")) )
-    };
+    let dots = |svg: &str, chart: u8| svg.matches(&format!("id=\"recorder-1-sample-{chart}-")).count();
+    let explained = |svg: &str, words: &str| svg.contains(&format!(">{words}<"));
+    let [stored, found_end] = ["stored value", "to the median of the speed at impact"];
     // The last speed is missing, so that of the impact is found; a speed in between is missing, too.
     let found = svg("60 - 58 55 50 - km/h", "");
     assert_eq!([dots(&found, 1), dots(&found, 2), dots(&found, 3)], [4, 5, 4]);
-    let [first, last] = [1, 5].map(|k| attribute(&found, &format!("record-curves-sample-2-{k}"), "cx"));
-    let [start, end] = [1, 4].map(|k| attribute(&found, &format!("record-curves-sample-1-{k}"), "cx"));
+    let [first, last] = [1, 5].map(|k| attribute(&found, &format!("recorder-1-sample-2-{k}"), "cx"));
+    let [start, end] = [1, 4].map(|k| attribute(&found, &format!("recorder-1-sample-1-{k}"), "cx"));
     assert_eq!([first, last], [start, end], "-5 s and -1 s stand at two places");
-    assert!(found.contains("id=\"record-curves-computed-1\"") && found.contains("id=\"record-curves-computed-3\""));
-    assert!(!found.contains("id=\"record-curves-computed-2\""));
-    assert_eq!(explained(&found)[..2], [true, true]);
+    assert!(found.contains("id=\"recorder-1-computed-1\"") && found.contains("id=\"recorder-1-computed-3\""));
+    assert!(!found.contains("id=\"recorder-1-computed-2\""));
+    assert!(explained(&found, stored) && explained(&found, found_end));
     let whole = svg("60 59 58 55 50 45 km/h", "");
     assert_eq!(dots(&whole, 1), 6);
-    assert!(!whole.contains("record-curves-computed") && !explained(&whole)[1]);
+    assert!(!whole.contains("recorder-1-computed") && !explained(&whole, found_end));
     // A pulse along one axis alone.
     let pulse = "pulse = { time = \"0 10 20 30 40 50 60 ms\", delta_v_longitudinal = \"0 -5 -12 -18 -20 -20 -20 km/h\" }\n";
     let along = svg("60 59 58 55 50 45 km/h", pulse);
-    assert_eq!(explained(&along)[2..4], [true, false]);
-    assert!(along.contains("aria-label") || along.contains("Charts of vehicle 1: speed over time, service brake, speed over distance, ΔV during the impact"));
+    assert!(explained(&along, "longitudinal ΔV, positive forward"));
+    assert!(!explained(&along, "lateral ΔV, positive to the right"));
+    assert!(explained(&along, "begin and end of the impact, 49 CFR 563.5"));
+    let shown =
+        "Charts of vehicle 1: speed over time, service brake, speed over distance, ΔV during the impact";
+    assert!(along.contains(shown));
 }

@@ -358,6 +358,7 @@ impl Subject {
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
                 pdofs_differ: false,
+                crush_is_bound: false,
                 severity: Some(fitted.severity_of(&self.hit)),
                 crush: Some(fitted.crush_misfit(&self.hit).into()),
                 figures: fitted.crush_figures(&self.hit, [Behind::Misfit { bias: true, spread: true }; 2]),

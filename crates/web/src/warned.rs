@@ -45,8 +45,9 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
         Warning::BelowRecord { .. } => "recorder",
         Warning::SkidDirection { .. } => "before.skid.from",
-        Warning::SkidOnGrade { .. } => "before.skid",
-        Warning::WreckAlone { .. }
+        Warning::SkidOnGrade { .. } | Warning::SkidAboveRecord { .. } => "before.skid",
+        Warning::RestsOverlap { .. }
+        | Warning::WreckAlone { .. }
         | Warning::SeveralStarts { .. }
         | Warning::RestMissed { .. }
         | Warning::RotationOpposes { .. } => "after.rest",

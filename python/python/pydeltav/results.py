@@ -145,6 +145,8 @@ class WhyNotExact(Record):
     """Whether other evidence contradicts it, or a vehicle would back faster than any does."""
     energy_share: float | None
     """(–) the average share of the impact's energy that its crush energies show, if it does not correct them."""
+    takes_bound: bool
+    """Whether it takes the energy at which residual crush begins for that of the impact, without residual crush."""
 
 
 class HeadlineFigure(Record):

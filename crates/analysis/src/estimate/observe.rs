@@ -109,8 +109,9 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let crush = (crushed != Crushed::No)
         .then(|| damage::crush_errors(case, energies(crushed, case), ranges, &hit, &mut notes));
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
-    let figures = crush.and_then(|(_, figures)| figures);
-    (Observed { vehicles, pdofs_differ, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
+    let (crush, figures) = crush.map_or((None, None), |(errors, figures)| (Some(errors), figures));
+    let crush_is_bound = case.has_no_residual_crush();
+    (Observed { vehicles, pdofs_differ, severity, crush, crush_is_bound, figures }, notes)
 }
 
 /// (rad) 30°, an hour of the clock: two PDOFs that are farther from opposite are not of one force.

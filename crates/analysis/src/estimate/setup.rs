@@ -157,6 +157,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
     let (mut case, sought, mut unused) = with_all_speeds(case)?;
+    leave_out_no_moment(&mut case);
     unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
@@ -671,6 +672,17 @@ fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused
 struct Open {
     friction: bool,
     tangential_share: bool,
+}
+
+/// Leaves out a moment restitution of −1, which is the same as none: no moment impulse.
+fn leave_out_no_moment(case: &mut Case) {
+    let has_range = case.ranges.iter().any(|range| range.path == "impact.moment_restitution");
+    if let Some(impact) = &mut case.impact
+        && let ImpactLaw::Brach { moment_restitution, .. } = &mut impact.law
+        && !has_range
+    {
+        moment_restitution.take_if(|moment| *moment == -1.0);
+    }
 }
 
 impl Open {

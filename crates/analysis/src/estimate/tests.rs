@@ -116,7 +116,17 @@ fn the_judged_collisions_are_named() {
         let text = text.replacen("[vehicle1]\n", &format!("[vehicle1]\nmodel_year = {year}\n"), 1);
         run(&read(&text), 128).unwrap().tested.map(|class| class.code)
     };
-    assert_eq!((of_year(1990), of_year(1991)), (None, Some("two-fronts")));
+    assert_eq!((of_year(1991), of_year(2009), of_year(2019)), (None, None, None));
+    assert_eq!((of_year(2010), of_year(2018)), (Some("two-fronts"), Some("two-fronts")));
+    // Nor was an assumption of the analyst's own tested, or another law.
+    for own in
+        ["crush_error = \"40 %\"", "crush_bias = \"90 %\"", "delta_v_median = \"20 km/h\"", "stood = \"5 %\""]
+    {
+        assert_eq!(tested("pdof = \"0 deg\"\n", &format!("[estimate]\n{own}\n")), None, "{own}");
+    }
+    assert_eq!(tested("pdof = { value = \"0 deg\", sd = \"0.5 deg\" }\n", ""), None);
+    let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-40 km/h\"\ndelta_v_error = \"1 %\"\n";
+    assert_eq!(tested("pdof = \"0 deg\"\n", recorder), None);
     // The age counts for a stiffness by category alone: RICSAC's cars have stiffnesses of their own.
     let staged = |id: u8, heading: u16| {
         vehicle(id, heading, "").replace("category = 3", "A = \"300 N/cm\", B = \"40 N/cm^2\"")
@@ -196,6 +206,94 @@ fn the_speed_after_tells_that_before() {
     assert_eq!(estimated.default_errors, ["vehicle2.after.speed", "vehicle2.after.direction"]);
     let density = |v: f64| (-0.5 * (scaled(11.0, 0.66 * v, 0.12) / 0.12).powi(2)).exp();
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
+}
+
+/// 60 m of skid at 0.7 from 15 m/s end a speed of √(15² + 2·0.7·g·60) = 32 m/s, twice what the recorder
+/// stored before the impact; 2 m are √(15² + 2·0.7·g·2) = 15.9 m/s, within its error.
+#[test]
+fn a_skid_faster_than_the_record_is_doubted() {
+    let found = |length: u8| {
+        let text = format!(
+            "{CENTRAL}[vehicle1.before]\nskid = {{ length = \"{length} m\", friction = 0.7 }}\n[vehicle1.recorder]\n\
+             pre_crash = {{ time = \"-2 -1 0 s\", speed = \"54 54 54 km/h\" }}\n\
+             [vehicle2.after]\nspeed = \"9.9 m/s\"\ndirection = \"0 deg\"\n"
+        );
+        let estimated = run(&read(&text), 128).unwrap();
+        assert!(estimated.default_errors.contains(&"vehicle1.recorder.errors".to_owned()));
+        estimated.warnings.into_iter().find_map(|warning| match warning {
+            Warning::SkidAboveRecord { vehicle, recorded, found } => Some((vehicle, recorded, found)),
+            _ => None,
+        })
+    };
+    let (vehicle, recorded, speed) = found(60).unwrap();
+    assert_eq!(vehicle, VehicleId::One);
+    assert!((recorded - 15.0).abs() < 1e-9 && (28.0..32.0).contains(&speed), "{recorded} {speed}");
+    assert_eq!(found(2), None);
+}
+
+/// The ΔV of both vehicles are in the ratio of the masses: either both are told, or neither is.
+#[test]
+fn both_delta_v_are_told_together() {
+    let estimated = run(&read(&format!("{CENTRAL}[vehicle1.crush]\nees = \"25 km/h\"\n")), 128).unwrap();
+    let [one, two] = VehicleId::ALL.map(|id| of(&estimated, DELTA_V.of_vehicle(id)).is_told());
+    assert_eq!(one, two);
+}
+
+/// A moment restitution of −1 is no moment impulse: what is not said of restitution and friction stays open.
+#[test]
+fn a_moment_restitution_without_moment_changes_nothing() {
+    let text = CENTRAL
+        .replace("{ value = 0.1, sd = 0.00001 }", "0.1")
+        .replace("{ friction = { value = 0.7, sd = 0.0001 } }", "\"critical\"")
+        + "[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n";
+    let with = |line: &str| {
+        let case = read(&text.replacen("[impact]\n", &format!("[impact]\n{line}"), 1));
+        let estimated = run(&case, 128).unwrap();
+        let keys: Vec<String> = estimated.unknown.iter().map(|unknown| unknown.key.clone()).collect();
+        let medians = estimated.outputs.iter().map(|output| output.posterior.median.value.to_bits());
+        (keys, medians.collect::<Vec<_>>())
+    };
+    let without = with("");
+    assert!(without.0.contains(&"impact.restitution".to_owned()), "{:?}", without.0);
+    assert_eq!(with("moment_restitution = -1\n"), without);
+    assert_ne!(with("moment_restitution = 0.5\n"), without);
+}
+
+/// Without residual crush the damage only says that the impact took no more than w A²/2B of both: with b = 0,
+/// P(W ≤ E) = Φ(ln(E/W)/σ).
+#[test]
+fn without_residual_crush_the_speed_has_only_an_upper_bound() {
+    let crush = |side: &str| {
+        format!(
+            "side = \"{side}\"\nwidth = \"1.5 m\"\ndepths = \"0 0 cm\"\nstiffness = {{ A = \"400 N/cm\", B = \"40 N/cm^2\" }}\n"
+        )
+    };
+    let text = format!("{CENTRAL}[vehicle1.crush]\n{}[vehicle2.crush]\n{}", crush("front"), crush("rear"))
+        .replace("prior = \"flat\"", "prior = \"flat\"\ncrush_error = \"25 %\"");
+    let estimated = run(&read(&text), 256).unwrap();
+    assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
+    assert!(estimated.is_bound() && estimated.tested.is_none());
+    let energy = 2.0 * 1.5 * 40e3_f64.powi(2) / (2.0 * 400e3);
+    let below = |z: f64| {
+        let steps = 400;
+        let step = (z + 9.0).max(0.0) / f64::from(steps);
+        (0..steps).map(|k| step * (-0.5 * ((f64::from(k) + 0.5) * step - 9.0).powi(2)).exp()).sum::<f64>()
+    };
+    let density = |v: f64| below((energy / (297.0 * v * v)).ln() / 0.25);
+    let found = &of(&estimated, speed(VehicleId::One)).posterior;
+    let ends = found.intervals[3];
+    for (ours, share) in [(ends.low, 0.025), (found.median, 0.5), (ends.high, 0.975)] {
+        // Slower approaches are no collisions.
+        let exact = quantile(density, [evidence::LEAST_APPROACH, 70.0], share);
+        let error = ours.standard_error.unwrap();
+        assert!((ours.value - exact).abs() < 4.0 * error + 1e-3 * exact, "{ours:?} {exact}");
+    }
+    // The solution that takes the bound for the energy is near the upper end.
+    let bound = (energy / 297.0_f64).sqrt();
+    assert!(found.median.value < 0.7 * bound && ends.high.value > 0.9 * bound, "{bound}");
+    // One vehicle with crush makes it a measurement again.
+    let text = text.replacen("0 0 cm", "0 5 cm", 1);
+    assert!(!run(&read(&text), 128).unwrap().is_bound());
 }
 
 /// A quarter of 640 is not a valid number of particles of an island.

@@ -429,7 +429,7 @@ fn fixtures_go_by_blocks_or_have_a_reason() {
         (
             None,
             "barrier contact-placed depths-independent depths-shared ees head-on jump-full jump-sliding laws/ishikawa laws/kudlich-slibar laws/moment \
-             laws/restitution-curve laws/woolley laws/woolley-sideswipe leaning-tree lorry oncoming-sideswipe rear-end \
+             laws/restitution-curve laws/woolley laws/woolley-sideswipe leaning-tree lorry no-damage oncoming-sideswipe rear-end \
              roots/curve-ks-noanswer roots/curve-only roots/five-roots roots/fraction-moment roots/fraction0 \
              roots/hidden-root roots/method-label sae-980025 sae-980025-impact sae-980025-uncertain \
               sae-980025-z-down side-impact t-bone-category tangential-share wide-ranges",

@@ -64,7 +64,7 @@ impl Case {
         ]);
         demand.of_deceleration(avoid);
         demand.of_unbraked(avoid);
-        demand.of_skid();
+        demand.of_skid(avoid);
         demand.of_phases(avoid);
         demand.of_clear(avoid);
         demand.of_sight(avoid);
@@ -166,18 +166,16 @@ impl<T: Copy + From<f64>> Case<T> {
         recorded: &Option<Arc<SampledApproach>>,
     ) -> Option<BrakingForm<T>> {
         let of_vehicle = &self.vehicles[vehicle.index()];
-        Some(match (of_vehicle.skid(), of_vehicle.phases(), recorded) {
-            (Some(skid), ..) => {
+        Some(match (of_vehicle.phases(), recorded, of_vehicle.skid()) {
+            (phases @ [_, ..], ..) => BrakingForm::Phases(phases.iter().map(|phase| phase.form).collect()),
+            (_, Some(approach), _) => {
+                BrakingForm::Recorded { approach: approach.clone(), error: RecordedError::default() }
+            }
+            (_, None, Some(skid)) => {
                 let SkidBegin::Length(length) = skid.begin else { return None };
                 BrakingForm::Skid { length, friction: skid.friction.or(self.ground_friction())? }
             }
-            (None, phases @ [_, ..], _) => {
-                BrakingForm::Phases(phases.iter().map(|phase| phase.form).collect())
-            }
-            (None, [], Some(approach)) => {
-                BrakingForm::Recorded { approach: approach.clone(), error: RecordedError::default() }
-            }
-            (None, [], None) => BrakingForm::Unknown,
+            (_, None, None) => BrakingForm::Unknown,
         })
     }
 
@@ -398,9 +396,12 @@ impl Demand<'_, f64> {
         }
     }
 
-    fn of_skid(&mut self) {
+    /// Refuses a skid that lacks a number, if it says how the vehicle came: a recorder's table comes first.
+    fn of_skid(&mut self, avoid: &Avoid) {
         let vehicle = self.case.avoid_subject();
-        let Some(skid) = self.case.vehicles[vehicle.index()].skid() else { return };
+        let given = &self.case.vehicles[vehicle.index()];
+        let has_table = given.recorder.as_ref().is_some_and(|recorder| recorder.pre_crash.is_some());
+        let Some(skid) = given.skid().filter(|_| !has_table || avoid.speed.is_some()) else { return };
         let path = format!("{}.before.skid", table(vehicle));
         if matches!(skid.begin, SkidBegin::From(_)) {
             let reason = "[avoid] needs the length of the skid, not the place where it began";

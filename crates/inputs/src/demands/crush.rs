@@ -39,15 +39,15 @@ pub(super) fn fill_opposite_pdof<T: Real>(
     }
 }
 
+/// What to give of a vehicle that could not be inspected, after a list of other ways.
+pub(super) const UNINSPECTED: &str = "; for a vehicle that could not be inspected, give side, stiffness and `from_force_balance = true`: its crush \
+                                      then follows from the force on the other vehicle";
+
 impl<T: Real> Demand<'_, T> {
     pub(super) fn missing_crush(&mut self, id: VehicleId) {
         let other = self.case.vehicles[id.other().index()].crush.as_ref();
-        let inferred = if other.is_some_and(|crush| !crush.from_force_balance) {
-            "; for a vehicle that could not be inspected, give side, stiffness and `from_force_balance = true`: its crush then follows from \
-             the force on the other vehicle"
-        } else {
-            ""
-        };
+        let is_measured = other.is_some_and(|crush| !crush.from_force_balance);
+        let inferred = if is_measured { UNINSPECTED } else { "" };
         let example = format!(
             "a table with side, width, depths and stiffness{inferred}; or `ees = \"45 km/h\"` alone, if the energy equivalent speed is known; or \
              `crush = \"none\"` in [{}], if the other vehicle alone was damaged{}",

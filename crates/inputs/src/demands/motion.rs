@@ -7,6 +7,7 @@ use real::elementary;
 use reconcile::{Departure, are_collinear, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
+use super::crush::UNINSPECTED;
 use super::{Demand, fill_opposite_pdof, table};
 use crate::after::{After, GivenSteer, RestHeading, Skid, SkidBegin, WheelDrag};
 use crate::axes::Axes;
@@ -641,7 +642,8 @@ impl<T: Real> Demand<'_, T> {
                     format_args!("{}.crush", table(id)),
                     &format!(
                         "the damage of both vehicles: their directions of travel are {degrees:.0}° apart, within 10° of one line, and along one line \
-                         momentum alone does not distinguish one speed from the other; a table with side, width, depths and stiffness, or `ees`; or \
+                         momentum alone does not distinguish one speed from the other; a table with side, width, depths and stiffness, or \
+                         `ees`{UNINSPECTED}; or \
                          `crush = \"none\"` in [{}], if the other vehicle alone was damaged. Without damage: {speed}",
                         table(id)
                     ),

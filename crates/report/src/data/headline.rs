@@ -64,6 +64,8 @@ fn reasons(why: &WhyNotExact) -> Value {
         "contradicted": why.is_contradicted,
         // The average share of the impact's energy that its crush energies show, if it does not correct them.
         "energy_share"?: why.energy_share,
+        // Whether it takes an upper bound of the crush energy for the energy.
+        "takes_bound": why.takes_bound,
     }
 }
 

@@ -69,13 +69,29 @@ fn is_crush(crush: f64, normal_work: f64) -> bool {
     (crush - normal_work).abs() <= ROUNDING * normal_work.abs()
 }
 
-/// Whether the crush energy equals the work of the impact on the basis of the case, except for rounding:
-/// always true for speeds that were found from it.
-fn agrees(analysis: &Analysis) -> bool {
-    let is_same = |check: &Check| {
-        matches!(check.quantity, CheckedQuantity::DamageEnergy { .. }) && check.value <= ROUNDING
+/// How the crush energy compares with the work of the impact on the basis of the case.
+enum Agreement {
+    /// Equal except for rounding, as for speeds that were found from it.
+    Equal,
+    /// Within the limit of the check.
+    Within,
+    Apart,
+}
+
+fn agreement(analysis: &Analysis) -> Agreement {
+    let of_energy = |check: &&Check| {
+        matches!(
+            check.quantity,
+            CheckedQuantity::DamageEnergy { .. } | CheckedQuantity::MomentumEnergy { .. }
+        )
     };
-    analysis.found.is_some() || analysis.checks.iter().any(is_same)
+    let check = analysis.checks.iter().find(of_energy);
+    match check {
+        _ if analysis.found.is_some() => Agreement::Equal,
+        Some(check) if check.value <= ROUNDING => Agreement::Equal,
+        Some(check) if check.passed() => Agreement::Within,
+        _ => Agreement::Apart,
+    }
 }
 
 fn note(analysis: &Analysis, crushes: [f64; 2], normal_work: f64, units: Units) -> String {
@@ -83,13 +99,14 @@ fn note(analysis: &Analysis, crushes: [f64; 2], normal_work: f64, units: Units) 
     let mut note = "Each bar begins where the one above it ends.".to_owned();
     if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Measure::Energy, si);
-        let why = match (agrees(analysis), analysis.basis) {
-            (true, Basis::Absorbed) => "restitution returns the rest".to_owned(),
-            (true, Basis::TangentialShare(_)) => {
+        let why = match (agreement(analysis), analysis.basis) {
+            (Agreement::Equal, Basis::Absorbed) => "restitution returns the rest".to_owned(),
+            (Agreement::Equal, Basis::TangentialShare(_)) => {
                 let share = basis::share(analysis.basis).unwrap_or_default();
                 format!("the crush also absorbs {share}")
             }
-            _ => "the damage and the impact do not agree".to_owned(),
+            (Agreement::Apart, _) => "the damage and the impact do not agree".to_owned(),
+            _ => "the consistency check finds no contradiction between them".to_owned(),
         };
         note.push_str(&format!(
             " The crush energy is {}, the normal work {}: {why}.",

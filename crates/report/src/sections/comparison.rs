@@ -10,6 +10,7 @@ use super::chosen::or_none;
 use crate::data::comparison::{Row, evidence_words, rows};
 use crate::document::{Block, Column, Document, Table, Width};
 use crate::units::{Measure, Units, number};
+use crate::words::not_the_answer;
 use crate::{axes, warnings};
 
 /// (columns) minimum for the name of a law, and for a number.
@@ -38,6 +39,9 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
         page.paragraph("The file has no [impact], so there are no impact laws to compare.".to_owned());
         page.blocks.extend(warnings::of_analysis(&comparison.own, case, units));
         return page;
+    }
+    if let Some(caveat) = not_the_answer("figures of impact laws", &comparison.own) {
+        page.paragraph(caveat);
     }
     let seeks_both = comparison.own.both.is_some();
     for quantity in [Measure::RoadSpeed, Measure::Speed] {

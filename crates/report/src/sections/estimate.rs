@@ -28,14 +28,12 @@ use crate::writers::wrap::folded;
 const END: usize = 9;
 /// Islands of particles.
 const ISLANDS: usize = ::estimate::ISLANDS;
-/// Unknown numbers that no table shows.
-const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 /// The end of the key of another: the logarithm of a speed within certain limits.
 const LN_SPEED: &str = ".ln_speed";
 
-/// Whether no table shows an unknown number because the results have it in other words.
+/// Whether no table shows an unknown number because the results have it, with its unit.
 fn is_hidden(unknown: &UnknownNumber) -> bool {
-    HIDDEN.contains(&&*unknown.key) || unknown.key.ends_with(LN_SPEED)
+    unknown.assumed == Some(Assumed::Speed)
 }
 
 /// The speeds with their intervals, the answers by each piece of evidence and whether it agrees with the
@@ -95,22 +93,47 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
 }
 
 /// The real collisions on which such an interval was tested.
-fn tested(class: Option<&TestedClass>) -> String {
+pub(super) fn tested(class: Option<&TestedClass>) -> String {
     let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
-        return "The method has not been tested on real crashes with this combination of evidence, so it is unknown how \
+        return "The method has not been tested on real crashes with this evidence and these assumptions, so it is unknown how \
                 often such an interval is right."
             .to_owned();
     };
     let off = rms.map_or_else(String::new, |rms| {
         format!(", and the median was off by {} % rms", number(100.0 * rms, 0))
     });
+    let with_error = if *quantity == "ΔV" {
+        " Those intervals include the error of the recorder, and the ones above do not."
+    } else {
+        ""
+    };
     // Eighteen of nineteen does not justify a percentage with a decimal.
     let share = number(100.0 * inside95, usize::from(*n >= 100));
     format!(
         "Tested on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} \
          measured values of \
-         {quantity}{off}. Data: {source}."
+         {quantity}{off}.{with_error} Data: {source}."
     )
+}
+
+/// What is assumed about the severity before the evidence.
+pub(super) fn severity(estimated: &Estimated) -> &'static str {
+    match estimated.prior {
+        SeverityPrior::Field if estimated.is_bound() => {
+            "Before the evidence, the severity is at most that of collisions in which a vehicle was towed, because no \
+             vehicle has residual crush; `--prior flat`, or `prior = \"flat\"` in [estimate], makes every speed \
+             equally likely."
+        }
+        SeverityPrior::Field => {
+            "Before the evidence, the severity is that of collisions in which a vehicle was towed; `--prior flat`, or \
+             `prior = \"flat\"` in [estimate], makes every speed equally likely."
+        }
+        SeverityPrior::SeriousInjury => {
+            "Before the evidence, the severity is that of collisions in which a vehicle was towed and somebody in \
+             either vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
+        }
+        SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as requested.",
+    }
 }
 
 /// (m/s) 15 km/h: 19 % of the towed vehicles with a recorder had a smaller ΔV (docs/calibration.md: median 23
@@ -241,6 +264,7 @@ impl<'a> Page<'a> {
                 number(100.0 * TOLD_BELOW, 0)
             ));
         }
+        self.bound();
         if !stood.is_empty() {
             self.document.push(Block::List(stood));
         }
@@ -253,11 +277,35 @@ impl<'a> Page<'a> {
         self.document.paragraph(tested(self.estimated.tested));
     }
 
+    /// What the damage excludes if no vehicle has residual crush: the speeds above the upper end of the 90 %
+    /// interval, with a probability of 95 %.
+    fn bound(&mut self) {
+        if !self.estimated.is_bound() {
+            return;
+        }
+        let unit = self.units.name(Measure::RoadSpeed);
+        let most = |output: Output| {
+            let found = self.find(output).filter(|found| found.varies())?;
+            let [_, high] = ends(&found.posterior, WIDEST - 1);
+            let most = number(self.units.value(Measure::RoadSpeed, high), 1);
+            Some(format!("{}: at most {most} {unit}", output_name(output)))
+        };
+        let outputs = [&SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
+        let told: Vec<String> = outputs.into_iter().flatten().filter_map(most).collect();
+        self.document.paragraph(
+            "No vehicle has residual crush, so the damage only bounds the speeds from above. With a probability of 95 % \
+             each:",
+        );
+        self.document.push(Block::List(told));
+    }
+
     /// Whether ΔV is less than that of most crashes behind the assumed severity.
     fn is_minor(&self) -> bool {
         let mut changes =
             VehicleId::ALL.into_iter().filter_map(|id| self.find(DELTA_V.of_vehicle(id))).peekable();
-        self.estimated.prior != SeverityPrior::Flat
+        let severity = self.estimated.observed.severity;
+        severity.is_some_and(|severity| severity.median > MINOR)
+            && !self.estimated.is_bound()
             && changes.peek().is_some()
             && changes.all(|change| change.posterior.median.value < MINOR)
     }
@@ -339,8 +387,11 @@ impl<'a> Page<'a> {
                 Measure::Ratio => number(question.limit, 3),
                 measure => self.units.format(measure, question.limit),
             };
+            let is_told = self.find(question.output).is_none_or(EstimatedOutput::is_told);
+            let caveat =
+                if is_told { "" } else { " The evidence does not determine it: this is what was assumed." };
             Some(format!(
-                "{} above {limit}: probability {}{error} %.",
+                "{} above {limit}: probability {}{error} %.{caveat}",
                 output_name(question.output),
                 percent(probability.value)
             ))
@@ -452,7 +503,8 @@ impl<'a> Page<'a> {
         if is_judged {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
-                 others. A dash marks a run that has not converged, or a bound: a bound has no p-value. ",
+                 others. A dash marks a run that has not converged, or a piece without a p-value: a bound, or points \
+                 passed, of which there are several. If a rest disagrees, check the points of its path, too. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("A dash marks what only a run without the piece can show. ");
@@ -480,8 +532,13 @@ impl<'a> Page<'a> {
         for piece in &self.estimated.pieces {
             let Some(words) = error(piece.piece, observed, self.units) else { continue };
             let key = error_key(piece);
+            let is_default = |key: &String| {
+                // That of a table follows from several errors.
+                let of_table = key.strip_suffix("speed_error").map(|recorder| format!("{recorder}errors"));
+                self.estimated.default_errors.iter().any(|one| one == key || Some(one) == of_table.as_ref())
+            };
             let from = match &key {
-                Some(key) if self.estimated.default_errors.contains(key) => "default",
+                Some(key) if is_default(key) => "default",
                 Some(_) => "the case",
                 None => "default",
             };
@@ -568,18 +625,7 @@ impl<'a> Page<'a> {
         if !table.rows.is_empty() {
             self.document.push(table);
         }
-        let words = match self.estimated.prior {
-            SeverityPrior::Field => {
-                "The severity is that of collisions in which a vehicle was towed; `--prior flat`, or `prior = \
-                 \"flat\"` in [estimate], makes every speed equally likely."
-            }
-            SeverityPrior::SeriousInjury => {
-                "The severity is that of collisions in which a vehicle was towed and somebody in either \
-                 vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
-            }
-            SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as requested.",
-        };
-        self.document.paragraph(words);
+        self.document.paragraph(severity(self.estimated));
         self.if_injured();
     }
 

@@ -91,7 +91,8 @@ pub fn handover(
             page.paragraph(format!("{} {how}", found.join(" ")));
         }
     }
-    page.push(results(seen, units));
+    let glance = if why.is_some() { "The exact solution at a glance" } else { "Results at a glance" };
+    page.push(results(glance, seen, units));
     page.tables(motion::momentum(seen, units));
     page.tables(motion::law_check(seen, units).into_iter().flatten());
     page.tables(motion::tables(seen, units));
@@ -325,11 +326,19 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
                 taken_as_exact.len()
             )
         }
+        None if of_method.is_some() => {
+            "The intervals include the errors of the method and the usual errors of all inputs. The values as solved \
+             take both as exact."
+                .to_owned()
+        }
         None if uncertainty.is_some() => {
             "No input with a range changes these figures, so they have no interval.".to_owned()
         }
         None => "The inputs are taken as exact, so these figures have no interval.".to_owned(),
     };
+    if let Some(estimated) = of_method {
+        how.push_str(&format!(" {}", super::estimate::tested(estimated.tested)));
+    }
     if supplements.validation.is_some() {
         how.push_str(&format!(" \"{ERROR_RATE}\" shows how far the method is off on staged collisions."));
     }
@@ -415,6 +424,12 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
     } else {
         super::validation::validation_headline(validation, units)
     });
+    if analysis.exchange().is_some() && VehicleId::ALL.into_iter().any(|id| !analysis.moves(id)) {
+        page.paragraph(
+            "None of these staged collisions is an impact with a fixed object, in which crush says far less about \
+             the speed than between two vehicles (docs/calibration.md).",
+        );
+    }
     if let Some(share) = analysis.warnings.iter().find_map(Warning::energy_share) {
         page.paragraph(format!(
             "The categories of CRASH3 were made for the cars of these tests, of the 1970s. For those of this \
@@ -425,7 +440,7 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
     }
     page.paragraph(
         "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
-         SAE 871993 and SAE 980025. Intervals of a report do not contain this error.",
+         SAE 871993 and SAE 980025. Intervals from the ranges of the inputs alone do not contain this error.",
     );
 }
 
@@ -492,9 +507,9 @@ fn method(page: &mut Document, analysis: &Analysis, axes: Axes, units: Units) {
     ));
 }
 
-fn results(analysis: &Seen, units: Units) -> Table {
+fn results(title: &'static str, analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
-    let mut table = Table::of_vehicles("Results at a glance");
+    let mut table = Table::of_vehicles(title);
     if analysis.exchange().is_some() {
         chosen.pair(&mut table, &rows::SKID_SPEED);
         chosen.pair(&mut table, &rows::SPEED);

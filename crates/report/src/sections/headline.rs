@@ -63,6 +63,8 @@ impl<'a> Headline<'a> {
                     "The case has more evidence than any one exact solution uses"
                 } else if why.is_contradicted || !why.refuted_by.is_empty() {
                     "Evidence refutes the exact solution"
+                } else if why.takes_bound {
+                    "The damage only bounds the speed"
                 } else {
                     "Crush energies by category are too small on average"
                 };
@@ -82,7 +84,8 @@ impl<'a> Headline<'a> {
                     page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
                     page.paragraph(format!(
                         "{because} So all the evidence was weighed, each piece by its error; the intervals \
-                         also include the errors of the method. `deltav estimate` shows the effect of each piece."
+                         also include the errors of the method. {} `deltav estimate` shows the effect of each piece.",
+                        super::estimate::severity(&weighed.estimated)
                     ));
                 } else {
                     page.push(Block::Answer {
@@ -129,6 +132,13 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
     if let Some(share) = why.energy_share {
         let which = if reasons.is_empty() { "The exact solution" } else { "It" };
         reasons.push(format!("{which} {}.", takes(share)));
+    }
+    if why.takes_bound {
+        let which = if reasons.is_empty() { "The exact solution" } else { "It" };
+        reasons.push(format!(
+            "{which} takes the energy at which residual crush begins for that of the impact, although no vehicle has \
+             residual crush, so that the impact may have taken much less."
+        ));
     }
     reasons.join(" ")
 }
@@ -214,6 +224,9 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
         }
     }
     reasons.extend(solution.energy_share.map(takes));
+    if weighed.why.takes_bound && solution.by.is_by_damage() {
+        reasons.push("takes an upper bound of the crush energy for the energy".to_owned());
+    }
     if solution.has_wrong_pdof {
         reasons.push("takes a PDOF as exact that the other evidence contradicts".to_owned());
     }

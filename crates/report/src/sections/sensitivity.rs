@@ -12,11 +12,15 @@ use crate::document::{Column, Document, Table};
 use crate::outputs::{input_name, output_name, output_quantity};
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
+use crate::words::not_the_answer;
 
 /// The derivatives and the sweep as tables, and the warnings of the case as it stands.
 #[must_use]
 pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Document {
     let mut page = Document::of_case(case);
+    if let Some(caveat) = not_the_answer("derivatives", &sensitivity.nominal) {
+        page.paragraph(caveat);
+    }
     for group in sensitivity.derivatives.chunk_by(|a, b| a.output == b.output) {
         if let Some(first) = group.first() {
             page.push(derivatives(first, group, units));

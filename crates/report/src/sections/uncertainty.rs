@@ -22,7 +22,7 @@ use crate::pictures;
 use crate::understood::amount;
 use crate::units::{Measure, Units, grouped, number, percent, significant};
 use crate::warnings;
-use crate::words;
+use crate::words::not_the_answer;
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
 
 /// (columns) of the longest bar of the histogram.
@@ -83,13 +83,7 @@ impl<'a> Page<'a> {
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");
         let mut lines = Vec::new();
-        if uncertainty.nominal.why_not_exact().is_some() {
-            lines.push(format!(
-                "All intervals are for the exact solution by {}, which is not the answer to the case: `deltav \
-                 reconstruct` says why, and weighs all evidence.",
-                words::solution(uncertainty.nominal.solved_by())
-            ));
-        }
+        lines.extend(not_the_answer("intervals", &uncertainty.nominal));
         lines.push(format!(
             "{} of {inputs}, {method}, seed {}; {} have an answer.",
             counted(propagation.evaluated(), "sample"),

@@ -7,11 +7,10 @@ use real::Real;
 
 use super::{DEGREE, Subject, measured_speed};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
-use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR, yaw_rate_error};
+use crate::thresholds::{DIRECTION_AFTER_ERROR, REST_LEAST, SPEED_AFTER_ERROR, yaw_rate_error};
 
-/// (–; m) error of the simulated rest position: a share of the path length, and the minimum.
+/// (–) error of the simulated rest position: a share of the path length.
 const REST_SHARE: f64 = 0.10;
-const REST_LEAST: f64 = 0.5;
 /// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
 const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;

@@ -4,7 +4,7 @@ use evidence::{
     CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedData, RecordedDeltaV, RecordedPart,
     RecorderPlace, ShownSpeed,
 };
-use inputs::Quantity;
+use inputs::{GivenSpeedErrors, Quantity};
 
 use super::{LEAST_SPEED_ERROR, Subject};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
@@ -48,7 +48,9 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
     });
-    let speed = recorder.tells_speed(subject.case.ground_friction()).map(|told| match told.humps {
+    let shown = recorder.tells_speed(subject.case.ground_friction());
+    let is_of_table = shown.is_some_and(|told| told.is_of_table);
+    let speed = shown.map(|told| match told.humps {
         Some(humps) => ShownSpeed::Either(
             humps.map(|hump| (hump.probability, Measured { value: hump.mean, sd: hump.sd })),
         ),
@@ -76,6 +78,10 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         let key = if recorder.pulse.is_some() { "recorder.pulse" } else { "recorder.delta_v_lateral" };
         notes.unused.push(Unused { key: subject.key(key), reason: UnusedReason::OnlyLateral });
     }
+    notes.default_error(
+        is_of_table && recorder.errors == GivenSpeedErrors::default(),
+        subject.key("recorder.errors"),
+    );
     let place = told.and_then(|told| told.place);
     let place = place.map(|at| RecorderPlace { at, yaw_rate: axes.lateral(before) });
     RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }

@@ -277,6 +277,8 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted(&format!("average {fronts} % … between two fronts"), &guide, "43 % between two fronts");
     ledger.quoted(&format!("{sides} % where a side was hit"), &guide, "45 % where a side was hit");
     ledger.quoted(&format!("{rears} % where a rear was hit"), &guide, "87 % where a rear was hit");
+    let fleet = number(100.0 * evidence::FITTED.crush_shown(), 0);
+    ledger.made(format!("by barrier tests, energies were on average {fleet} %"));
     ledger.quoted("older car … 1977", &page("docs/theory.md"), "(year − 1977)/(2010 − 1977)");
     let misfit = evidence::FITTED.objects.misfit;
     let deformation_energy =

@@ -59,9 +59,11 @@ fn motion(ledger: &mut Ledger) {
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
     ledger.cited("did not spin … 10°", edcrash);
     ledger.cited(
-        "miss one by more than 15 % of the path",
-        "the limit of the EDCRASH manual for a point on the curve",
+        "miss one by more than 0.5 m and 15 % of the path",
+        "REST_LEAST of deltav-analysis, and the limit of the EDCRASH manual for a point on the curve",
     );
+    ledger.cited("among those within 0.5 m", "REST_LEAST of deltav-analysis");
+    ledger.cited("overlap by more than 0.5 m", "OVERLAP in crates/analysis/src/warning.rs");
     ledger.cited(
         "too far away: by more than 15 % of the path",
         "the limit of the EDCRASH manual for a point on the curve",
@@ -295,6 +297,8 @@ fn warnings(ledger: &mut Ledger) {
     ledger.cited("that bound by more than 5 km/h", least);
     ledger.cited("its whole 95 % interval", "LEVELS of deltav-estimate");
     ledger.cited("below the bound by more than 5 km/h", least);
+    ledger.cited("the lower end of the 95 % interval", "LEVELS of deltav-estimate");
+    ledger.cited("the greatest stored speed by more than 5 km/h", least);
     ledger.cited("more than 45° off", "SKID_ASTRAY in crates/analysis/src/warning.rs");
     ledger.cited("recorders of crashes of 2017", "the data of docs/calibration.md");
     let share =
