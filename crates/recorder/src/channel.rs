@@ -191,7 +191,8 @@ const HEADINGS: &[(Channel, &str)] = &[
         Channel::Other,
         "parking brake, brake pressure, brake oil pressure, master cylinder pressure, cruise control, \
          cruise control status, cruise control set speed, cruise control target speed, cruise set speed, \
-         speed control, traction control, wheel speed, wheel speeds, wheel speed sensor, target speed, \
+         speed control, traction control, traction control via brakes, traction control via engine, \
+         wheel speed, wheel speeds, wheel speed sensor, target speed, \
          set speed, speed limit, speed limiter, time maximum delta v, time maximum delta v longitudinal, \
          time maximum delta v lateral, time to maximum delta v, vertical acceleration, ignition cycle, \
          pitch rate, lane departure warning, lane keeping, automatic emergency braking, \

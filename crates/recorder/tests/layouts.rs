@@ -907,6 +907,23 @@ fn a_heading_says_how_its_values_are_meant() {
     }
 }
 
+/// "Brakes" in the name of another system heads no column.
+#[test]
+fn traction_control_is_no_brake() {
+    for by in ["Brakes", "Engine"] {
+        let text = format!(
+            "Times (sec) Speed vehicle indicated MPH [km/h] Service brake, on/off Traction Control via {by} (engaged, \
+             non-engaged)\n-1.0 53.4 [86.0] On non-engaged\n-0.5 49.7 [80.0] On non-engaged\n0.0 42.3 [68.0] Off engaged\n"
+        );
+        let table = read_tables(&text).unwrap().remove(0);
+        let shown: Vec<Channel> = table.columns.iter().map(|column| column.channel).collect();
+        assert_eq!(shown, [Channel::Time, Channel::Speed, Channel::Brake], "{by}");
+        let brake = &table.columns[2];
+        assert_eq!(brake.values, [Some(1.0), Some(1.0), Some(0.0)]);
+        assert_eq!(table.ignored.len(), 1);
+    }
+}
+
 /// With the times across and single blanks, a quantity with too few values is refused, whatever they are.
 #[test]
 fn a_row_across_with_an_empty_cell_is_refused() {

@@ -217,6 +217,25 @@ fn an_energy_that_the_basis_explains_is_no_disagreement() {
     assert!(!svg.contains("do not agree"));
 }
 
+/// Both speeds by momentum: the crush energy differs from the normal work by 0.07 %, which is no disagreement;
+/// that of depths four times as large is beyond the limit of the check.
+#[test]
+fn energies_within_the_limit_of_the_check_do_not_disagree() {
+    let intersection = include_str!("../../case/templates/si/intersection.toml");
+    let note = |text: &str| {
+        let file = CaseFile::parse("case.toml", text).unwrap();
+        let analysis = analysis::reconstruct(&file.case).unwrap();
+        let svg = report::drawing(&file, &analysis, Units::Si, Subject::Energy).unwrap().svg();
+        let said = ["finds no contradiction between them", "the damage and the impact do not agree"];
+        said.map(|words| svg.contains(words))
+    };
+    assert_eq!(note(intersection), [true, false]);
+    let deep = intersection
+        .replace("\"12 17 22 26 cm\"", "\"48 68 88 104 cm\"")
+        .replace("\"10 17 22 20 9 cm\"", "\"40 68 88 80 36 cm\"");
+    assert_eq!(note(&deep), [false, true]);
+}
+
 /// Against a barrier, without restitution, the ΔV is the speed, whatever the mass.
 #[test]
 fn nothing_drives_a_result_that_does_not_vary() {
