@@ -217,8 +217,8 @@ fn an_energy_that_the_basis_explains_is_no_disagreement() {
     assert!(!svg.contains("do not agree"));
 }
 
-/// Both speeds by momentum: the crush energy differs from the normal work by 0.07 %, which is no disagreement;
-/// that of depths four times as large is beyond the limit of the check.
+/// Both speeds by momentum: the crush energy differs from the normal work by 0.07 %, which is no
+/// disagreement; that of depths four times as large is beyond the limit of the check.
 #[test]
 fn energies_within_the_limit_of_the_check_do_not_disagree() {
     let intersection = include_str!("../../case/templates/si/intersection.toml");

@@ -1,7 +1,7 @@
 //! The estimate from all the evidence of a case.
 
 use ::estimate::DrawsSummary;
-use ::uncertainty::{Distribution, Shape};
+use ::uncertainty::{Distribution, Interval, Shape};
 use analysis::quantities::{CRUSH_ENERGY, DELTA_V, SKID_SPEED, SPEED};
 use analysis::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
@@ -114,6 +114,17 @@ pub(super) fn tested(class: Option<&TestedClass>) -> String {
          measured values of \
          {quantity}{off}.{with_error} Data: {source}."
     )
+}
+
+/// (–) of the width of an interval: an end with a greater standard error is not sure.
+const LOOSE: f64 = 0.05;
+
+/// The ends of the widest interval that are not sure, with their standard errors.
+fn loose_ends(summary: &DrawsSummary) -> impl Iterator<Item = (&'static str, f64)> {
+    let Interval { low, high, .. } = summary.intervals[WIDEST];
+    let ends = [("lower", low.standard_error), ("upper", high.standard_error)];
+    let most = LOOSE * (high.value - low.value);
+    ends.into_iter().filter_map(|(name, error)| Some((name, error?))).filter(move |(_, error)| *error > most)
 }
 
 /// What is assumed about the severity before the evidence.
@@ -265,6 +276,7 @@ impl<'a> Page<'a> {
             ));
         }
         self.bound();
+        self.loose_ends();
         if !stood.is_empty() {
             self.document.push(Block::List(stood));
         }
@@ -275,6 +287,27 @@ impl<'a> Page<'a> {
             );
         }
         self.document.paragraph(tested(self.estimated.tested));
+    }
+
+    /// The ends of intervals near which few draws lie, as in a gap between two groups of collisions.
+    fn loose_ends(&mut self) {
+        let unit = self.units.name(Measure::RoadSpeed);
+        let rows = [&SPEED, &SKID_SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
+        let mut told = Vec::new();
+        for output in rows.into_iter().flatten() {
+            let Some(found) = self.find(output).filter(|found| found.varies()) else { continue };
+            for (name, error) in loose_ends(&found.posterior) {
+                let error = significant(self.units.value(Measure::RoadSpeed, error), 2);
+                told.push(format!("{}: {name} end ± {error} {unit}", output_name(output)));
+            }
+        }
+        if !told.is_empty() {
+            self.document.paragraph(
+                "Few draws lie near some ends, as in a gap between two groups of collisions, so these ends differ from run \
+                 to run (standard error); more `--particles` make them surer:",
+            );
+            self.document.push(Block::List(told));
+        }
     }
 
     /// What the damage excludes if no vehicle has residual crush: the speeds above the upper end of the 90 %
@@ -741,5 +774,28 @@ fn cut(prior: &Distribution) -> String {
             format!(", between {} and {}", cut.low, cut.high)
         }
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ::estimate::DrawsSummary;
+    use ::uncertainty::{Estimate, Interval};
+
+    use super::loose_ends;
+
+    /// Ten wide: an end is named from a standard error of 0.5 on, one without an error is not.
+    #[test]
+    fn ends_that_few_draws_support_are_named() {
+        let named = |errors: [Option<f64>; 2]| {
+            let of = |value: f64, standard_error: Option<f64>| Estimate { value, standard_error };
+            let interval = Interval { level: 0.95, low: of(20.0, errors[0]), high: of(30.0, errors[1]) };
+            let centre = of(25.0, None);
+            let summary = DrawsSummary { mean: centre, sd: centre, median: centre, intervals: [interval; 4] };
+            loose_ends(&summary).collect::<Vec<_>>()
+        };
+        assert!(named([Some(0.49), Some(0.49)]).is_empty() && named([None, None]).is_empty());
+        assert_eq!(named([Some(0.1), Some(2.0)]), [("upper", 2.0)]);
+        assert_eq!(named([Some(0.6), None]), [("lower", 0.6)]);
     }
 }
