@@ -196,7 +196,7 @@ fn a_limit_beyond_all_that_happens_is_no_test() {
     let of = |quantity, limit| Check { quantity, value: 0.5, limit }.can_fail();
     let turn = CheckedQuantity::MomentumYawRate { vehicle: VehicleId::One, implied: 0.0, told: 0.5 };
     // A turn a second.
-    assert!(of(turn, 6.28) && !of(turn, 6.29));
+    assert!(of(turn, 6.2) && !of(turn, 6.3));
     let energy = |normal_work: f64, crush_energy: f64| CheckedQuantity::MomentumEnergy {
         normal_work,
         crush_energy,
