@@ -262,7 +262,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             (true, true) if matches!(method, EnergyMethod::Coefficients | EnergyMethod::Test) => format!(
                 "{energies} are taken as right on average, which no crash with a recorder has tested: with the stiffness of \
                  the fleet by barrier tests, energies were on average {} % of what such an impact takes \
-                 (docs/calibration.md; `crush_bias` says so of this case).",
+                 (docs/calibration.md; `crush_bias` sets such a share).",
                 percent(FITTED.crush_shown())
             ),
             (true, true) => format!("{energies} are taken as right on average."),

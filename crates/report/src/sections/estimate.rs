@@ -271,7 +271,7 @@ impl<'a> Page<'a> {
         if untold {
             self.document.paragraph(format!(
                 "The evidence does not determine a speed if its interval is more than {} % as wide as \
-                 before the evidence: the interval then shows what was assumed about such collisions.",
+                 before the evidence: the interval then mostly reflects what was assumed about such collisions.",
                 number(100.0 * TOLD_BELOW, 0)
             ));
         }
@@ -303,8 +303,8 @@ impl<'a> Page<'a> {
         }
         if !told.is_empty() {
             self.document.paragraph(
-                "Few draws lie near some ends, as in a gap between two groups of collisions, so these ends differ from run \
-                 to run (standard error); more `--particles` make them surer:",
+                "Few draws lie near some ends, as in a gap between two groups of collisions. With another seed these ends \
+                 would be others (± is the standard error); more `--particles` make them surer:",
             );
             self.document.push(Block::List(told));
         }
