@@ -18,6 +18,12 @@ const FASTEST_TURN: f64 = 2.0 * PI;
 /// (–) a limit of this factor or more tells nothing of two energies.
 const WIDEST_FACTOR: f64 = 4.0;
 
+/// (–) the factor between two energies for a maximum relative difference from the second, upward or downward.
+#[must_use]
+pub fn limit_factor(is_more: bool, difference: f64) -> f64 {
+    if is_more { 1.0 + difference } else { 1.0 / (1.0 - difference) }
+}
+
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
@@ -176,10 +182,7 @@ impl Check {
             CheckedQuantity::MomentumYawRate { .. } => self.limit < FASTEST_TURN,
             CheckedQuantity::MomentumRestitution { .. } => self.limit < 1.0,
             CheckedQuantity::MomentumEnergy { normal_work, crush_energy, .. } => {
-                match normal_work > crush_energy {
-                    true => self.limit < WIDEST_FACTOR - 1.0,
-                    false => self.limit < 1.0 - 1.0 / WIDEST_FACTOR,
-                }
+                limit_factor(normal_work > crush_energy, self.limit) < WIDEST_FACTOR
             }
             _ => true,
         }

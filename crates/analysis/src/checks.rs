@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crash3::principal_angle;
 use inputs::Basis;
-use pim_core::{Real, Vector2, VehicleId};
+use pim_core::{Real, VehicleId};
 use real::elementary;
 use reconcile::{Implied, Momentum};
 
@@ -94,9 +94,8 @@ pub(crate) fn of_momentum(
         let quantity = CheckedQuantity::MomentumAcross { vehicle, surplus };
         checks.push(Check { quantity, value: surplus.abs(), limit: 2.0 * spread });
     }
-    let ([one, two], mean) = (both.implied.impulses, both.implied.impulse_vector);
-    let size = |vector: Vector2<f64>| (vector.x * vector.x + vector.y * vector.y).sqrt();
-    let (difference, impulse) = (size(one - two), size(mean));
+    let [one, two] = both.implied.impulses;
+    let (difference, impulse) = ((one - two).norm(), both.implied.impulse_vector.norm());
     // Two speeds across one another balance both components.
     if both.is_by_crush() && impulse > 0.0 {
         let quantity = CheckedQuantity::MomentumBalance { difference, impulse };

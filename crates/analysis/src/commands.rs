@@ -115,8 +115,8 @@ pub fn uncertainty(
     uncertainty_of(case, plan, &|_| true, progress)
 }
 
-/// The same for only the outputs that are requested: the others are not computed, which saves
-/// most of their time and memory. The results have the same bits.
+/// The same for only the outputs that are requested, which saves most of the time and memory of the others.
+/// The results have the same bits.
 ///
 /// # Errors
 /// As for [`uncertainty()`], and if the case has none of the outputs.

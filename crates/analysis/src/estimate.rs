@@ -129,9 +129,7 @@ impl Estimated {
         }
         (!self.missed.is_empty()).then(|| NoEstimate::Contradicted(self.missed.clone()))
     }
-}
 
-impl Estimated {
     /// Whether the damage is only an upper bound, because no vehicle has residual crush.
     #[must_use]
     pub fn is_bound(&self) -> bool {

@@ -98,7 +98,7 @@ pub use avoid::{
     avoid_at_once, obstacle_name, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
-pub use check::{Check, CheckedQuantity};
+pub use check::{Check, CheckedQuantity, limit_factor};
 pub use commands::{compare, crush, furthest, impact, reconstruct, sensitivity, uncertainty, uncertainty_of};
 pub use compare::{Comparison, LawRow};
 pub use curve::{WorkPoint, first_push, work_curve};

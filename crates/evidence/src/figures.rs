@@ -146,7 +146,13 @@ impl Mixture {
     /// (–) the probability that such an error lies below this one: Σ w Φ(ε/σ).
     #[inline(always)]
     pub(crate) fn below(&self) -> f64 {
-        self.0.iter().map(|[error, sd, weight]| weight * cumulative(error / sd)).sum()
+        self.tail(1.0)
+    }
+
+    /// The same for the errors times a `sign`.
+    #[inline(always)]
+    fn tail(&self, sign: f64) -> f64 {
+        self.0.iter().map(|[error, sd, weight]| weight * cumulative(sign * error / sd)).sum()
     }
 
     /// Its normal score: z with Φ(z) = Σ w Φ(ε/σ).
@@ -154,9 +160,7 @@ impl Mixture {
         let is_above = self.0[1][0] > 0.0;
         // The smaller tail keeps its digits.
         let sign = if is_above { -1.0 } else { 1.0 };
-        let below: f64 =
-            self.0.iter().map(|[error, sd, weight]| weight * cumulative(sign * error / sd)).sum();
-        let mut share = [Real::max(below, f64::MIN_POSITIVE)];
+        let mut share = [Real::max(self.tail(sign), f64::MIN_POSITIVE)];
         quantiles(&mut share);
         sign * share[0]
     }

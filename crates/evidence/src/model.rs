@@ -307,8 +307,8 @@ impl<I: Impacts> CollisionModel<I> {
                 let size = 0.5 * ln(dv1 * dv2 / (severity.median * severity.median));
                 if self.observed.crush_is_bound {
                     // No more severe than such a collision: P(S ≥ s) = Φ(−ln(s/median)/σ).
-                    let share = cumulative(-(size + beyond) / severity.ln_sd).max(f64::MIN_POSITIVE);
-                    return Error { potential: often + injured + ln(share), ..Error::NONE };
+                    let bound = Error::of_event(cumulative(-(size + beyond) / severity.ln_sd));
+                    return Error { potential: often + injured + bound.potential, ..bound };
                 }
                 Error {
                     potential: often + injured,
@@ -317,23 +317,18 @@ impl<I: Impacts> CollisionModel<I> {
             }
             Piece::Crush | Piece::NoResidualCrush => {
                 let Some(misfit) = self.observed.crush else { return Error::NONE };
-                let is_bound = matches!(piece, Piece::NoResidualCrush);
                 let (energies, taken) = (impacted.crush_energies, impacted.taken);
-                match &self.observed.figures {
-                    None if is_bound => {
-                        // P(W ≤ E) = Φ(ε/σ)
-                        let share = cumulative(misfit.error(energies, taken).score());
-                        Error { potential: ln(share.max(f64::MIN_POSITIVE)), ..Error::NONE }
+                let figures = self.observed.figures.as_ref();
+                let mixture =
+                    figures.map(|figures| misfit.mixture(figures, &impacted.crush_changes, energies, taken));
+                match (mixture, piece) {
+                    // P(W ≤ E) = Φ(ε/σ)
+                    (None, Piece::NoResidualCrush) => {
+                        Error::of_event(cumulative(misfit.error(energies, taken).score()))
                     }
-                    None => misfit.error(energies, taken),
-                    Some(figures) => {
-                        let mixture = misfit.mixture(figures, &impacted.crush_changes, energies, taken);
-                        let potential = match is_bound {
-                            true => ln(mixture.below().max(f64::MIN_POSITIVE)),
-                            false => mixture.log_density(),
-                        };
-                        Error { potential, ..Error::NONE }
-                    }
+                    (Some(mixture), Piece::NoResidualCrush) => Error::of_event(mixture.below()),
+                    (None, _) => misfit.error(energies, taken),
+                    (Some(mixture), _) => Error { potential: mixture.log_density(), ..Error::NONE },
                 }
             }
             Piece::Pdof(id) => {
@@ -645,6 +640,12 @@ impl Error {
         Self { error, scale, freedom: None, is_observed: true, potential: 0.0 }
     }
 
+    /// An observation that is no number, but an event with this probability.
+    #[inline(always)]
+    fn of_event(probability: f64) -> Self {
+        Self { potential: ln(probability.max(f64::MIN_POSITIVE)), ..Self::NONE }
+    }
+
     #[inline(always)]
     fn student(error: f64, scale: f64, freedom: Freedom) -> Self {
         Self { freedom: Some(freedom), ..Self::normal(error, scale) }
@@ -700,8 +701,7 @@ impl Error {
         let Some(freedom) = self.freedom else { return Self::NONE };
         let z = self.error / self.scale;
         // P(Y ≥ y) = F(−ε/σ), P(Y ≤ y) = F(ε/σ)
-        let share = freedom.share_below(if slows { z } else { -z });
-        Self { potential: ln(share), ..Self::NONE }
+        Self::of_event(freedom.share_below(if slows { z } else { -z }))
     }
 
     /// Its normal score.

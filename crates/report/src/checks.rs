@@ -1,6 +1,6 @@
 //! The consistency checks in words, for the text and for the page.
 
-use analysis::{Check, CheckedQuantity, FAST_CLOSING, Seen};
+use analysis::{Analysis, Check, CheckedQuantity, FAST_CLOSING, Seen, limit_factor};
 use case::Basis;
 
 use crate::basis::short;
@@ -8,15 +8,20 @@ use crate::document::Table;
 use crate::units::{Measure, Units, number};
 use crate::{basis, words};
 
-/// All checks of the analysis; `None` without any. A warning below explains each failed one.
-pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
-    let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
+/// The checks that a reader is told of.
+pub(crate) fn told<W>(analysis: &Analysis<W>) -> impl Iterator<Item = &Check> {
     // If momentum gives both speeds, its own comparison of the energies takes account of the errors of both.
     let is_of_momentum = |check: &Check| matches!(check.quantity, CheckedQuantity::MomentumEnergy { .. });
     let has_momentum = analysis.checks.iter().any(is_of_momentum);
     let is_twice =
-        |check: &&Check| has_momentum && matches!(check.quantity, CheckedQuantity::DamageEnergy { .. });
-    for check in analysis.checks.iter().filter(|check| !is_twice(check)) {
+        move |check: &&Check| has_momentum && matches!(check.quantity, CheckedQuantity::DamageEnergy { .. });
+    analysis.checks.iter().filter(move |check| !is_twice(check))
+}
+
+/// All checks of the analysis; `None` without any. A warning below explains each failed one.
+pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
+    let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
+    for check in told(analysis) {
         let [label, found, limit] = said(check, analysis, units);
         let verdict = match (check.passed(), check.can_fail()) {
             (true, true) => "passed",
@@ -36,11 +41,6 @@ fn apart(one: f64, other: f64) -> String {
     } else {
         format!("{} %", number(100.0 * (one - other).abs() / other, 1))
     }
-}
-
-/// (–) the same for a maximum relative difference from the second energy, upward or downward.
-fn limit_factor(is_more: bool, difference: f64) -> f64 {
-    if is_more { 1.0 + difference } else { 1.0 / (1.0 - difference) }
 }
 
 /// What a check of this analysis compares, what it found, and its limit.

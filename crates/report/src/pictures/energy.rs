@@ -7,8 +7,8 @@ use pim_core::VehicleId;
 
 use super::{DrawingError, Subject, caveat, title};
 use crate::Units;
-use crate::basis;
 use crate::units::Measure;
+use crate::{basis, checks};
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
     let exchange = analysis.exchange().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
@@ -85,8 +85,7 @@ fn agreement(analysis: &Analysis) -> Agreement {
             CheckedQuantity::DamageEnergy { .. } | CheckedQuantity::MomentumEnergy { .. }
         )
     };
-    let check = analysis.checks.iter().find(of_energy);
-    match check {
+    match checks::told(analysis).find(of_energy) {
         _ if analysis.found.is_some() => Agreement::Equal,
         Some(check) if check.value <= ROUNDING => Agreement::Equal,
         Some(check) if check.passed() => Agreement::Within,
