@@ -103,11 +103,11 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         CheckedQuantity::MomentumBalance { difference, impulse } => (
             "momentum: impulses".to_owned(),
             format!(
-                "{} apart of {}",
+                "{} apart, mean {}",
                 units.format(Measure::Impulse, difference),
                 units.format(Measure::Impulse, impulse)
             ),
-            "their mean".to_owned(),
+            "the mean".to_owned(),
         ),
         CheckedQuantity::PossibleRestitution { implied } => (
             "momentum: possible restitution".to_owned(),

@@ -338,11 +338,11 @@ impl<'a> PlainSpeed<'a> {
         if speeds.iter().any(is_open) {
             "All the evidence together does not determine the speed that is not drawn: the report gives its range."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, true))) {
-            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 % by the \
-             assumptions of the report. Some pieces of the evidence contradict the others: the report says which."
+            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 % under \
+             the assumptions of the report. Some pieces of the evidence contradict the others: the report says which."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {
-            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 % by the \
-             assumptions of the report."
+            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 % under \
+             the assumptions of the report."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
             "Without the speeds to be found: the exact solution is not the answer."
         } else {

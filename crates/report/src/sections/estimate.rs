@@ -304,7 +304,7 @@ impl<'a> Page<'a> {
         if !told.is_empty() {
             self.document.paragraph(
                 "Few draws lie near some ends, as in a gap between two groups of collisions. With another seed these ends \
-                 would be others (± is the standard error); more `--particles` make them surer:",
+                 would differ (± is the standard error); more `--particles` make them surer:",
             );
             self.document.push(Block::List(told));
         }
@@ -536,8 +536,8 @@ impl<'a> Page<'a> {
         if is_judged {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
-                 others. A dash marks a run that has not converged, or a piece without a p-value: a bound, or points \
-                 passed, of which there are several. If a rest disagrees, check the points of its path, too. ",
+                 others. A dash marks a run that has not converged. A bound has no p-value, and neither have the points of \
+                 a path: if a rest disagrees, check the points of its path, too. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("A dash marks what only a run without the piece can show. ");

@@ -136,8 +136,8 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
     if why.takes_bound {
         let which = if reasons.is_empty() { "The exact solution" } else { "It" };
         reasons.push(format!(
-            "{which} takes the energy at which residual crush begins for that of the impact, although no vehicle has \
-             residual crush, so that the impact may have taken much less."
+            "{which} equates the energy of the impact with the energy at which residual crush begins. No vehicle has residual \
+             crush, so the impact may have taken much less."
         ));
     }
     reasons.join(" ")
@@ -225,7 +225,7 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
     }
     reasons.extend(solution.energy_share.map(takes));
     if weighed.why.takes_bound && solution.by.is_by_damage() {
-        reasons.push("takes an upper bound of the crush energy for the energy".to_owned());
+        reasons.push("takes the crush energy for known, although it is only an upper bound".to_owned());
     }
     if solution.has_wrong_pdof {
         reasons.push("takes a PDOF as exact that the other evidence contradicts".to_owned());
