@@ -290,7 +290,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         cg_line,
     };
     let mut warnings = Vec::new();
-    warnings.extend(both.is_by_crush().then(|| warning::of_categories(case, &vehicles)).flatten());
+    warnings.extend(both.is_by_crush().then(|| warning::of_typical(case, &vehicles)).into_iter().flatten());
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));
         // Rest positions and velocities after the impact are this inaccurate for a vehicle that stood.

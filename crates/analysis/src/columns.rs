@@ -13,7 +13,7 @@ use crash3::{
 };
 use inputs::{
     Axes, Case, ContactForm, CrushForm, DamageForm, ImpactForm, PlacedContact, Quantity, StiffnessForm,
-    StiffnessLine, VehicleForm, WidthsForm, scaled_stiffness,
+    StiffnessLine, VehicleForm, WidthsForm,
 };
 use pim_core::{Body, Contact, Motion, Participant, VaryingLaw, Vector2};
 
@@ -462,18 +462,16 @@ impl ZoneColumns {
             // All zones have the same stiffness.
             _ if zone > 0 => {}
             StiffnessForm::Line(line) => self.resist(*line, inputs),
-            StiffnessForm::Category(category) => {
-                match (Stiffness::from_category(crush.crush.side, *category), crush.factor) {
-                    (Ok(known), Some(factor)) => {
-                        let mut one = None;
-                        let factors = factor.column(inputs, &mut one);
-                        for lane in 0..LANES {
-                            self.put(lane, scaled_stiffness(known, Some(factors[lane])));
-                        }
+            StiffnessForm::Typical(typical) => match (typical.stiffness(crush.crush.side), crush.factor) {
+                (Ok(known), Some(factor)) => {
+                    let mut one = None;
+                    let factors = factor.column(inputs, &mut one);
+                    for lane in 0..LANES {
+                        self.put(lane, typical.of_car(known, Some(factors[lane])));
                     }
-                    (known, _) => (0..LANES).for_each(|lane| self.put(lane, known)),
                 }
-            }
+                (known, _) => (0..LANES).for_each(|lane| self.put(lane, known)),
+            },
             StiffnessForm::Test(test) => {
                 for lane in 0..LANES {
                     self.put(lane, test.map(|number| number.at(inputs, lane)).stiffness());

@@ -17,9 +17,10 @@ pub(crate) fn damaged_sides(case: &Case) -> Vec<DamagedSide> {
     case.vehicles.iter().filter_map(GivenVehicle::damaged_side).map(DamagedSide::from).collect()
 }
 
-/// The misfit between crush energies by a category of stiffness and the impact, where these sides were `hit`.
-pub(crate) fn category_misfit(case: &Case, hit: &[DamagedSide]) -> CrushMisfit {
-    let fitted = FITTED.by_category(hit);
+/// The misfit between the impact and crush energies by a category of stiffness, or by the stiffness of the
+/// fleet, where these sides were `hit`.
+pub(crate) fn misfit(case: &Case, hit: &[DamagedSide], is_by_category: bool) -> CrushMisfit {
+    let fitted = if is_by_category { FITTED.by_category(hit) } else { FITTED };
     if is_with_object(case, hit) { fitted.objects.misfit } else { fitted.crush_misfit(hit) }
 }
 

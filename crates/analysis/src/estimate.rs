@@ -385,9 +385,8 @@ fn is_as_tested(case: &Case, energies: [Option<EnergyMethod>; 2]) -> bool {
     let is_brach = case.impact.as_ref().is_none_or(|impact| matches!(impact.law, ImpactLaw::Brach { .. }));
     let is_car = |id: VehicleId| {
         let vehicle = &case.vehicles[id.index()];
-        // Only an energy by a category depends on the age of the car.
         let is_of_years =
-            energies[id.index()] != Some(EnergyMethod::Class) || TestedClass::has_cars_of(vehicle.model_year);
+            energies[id.index()].is_none_or(|method| TestedClass::has_cars_of(method, vehicle.model_year));
         let is_car = vehicle.fixed || vehicle.kind.unwrap_or_default() == VehicleKind::Car;
         let recorder = vehicle.recorder.as_ref();
         let has_usual_errors = recorder

@@ -22,7 +22,7 @@ use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::speeds::BothMethod;
 use crate::vehicle::Vehicle;
-use crate::warning::{Warning, of_categories};
+use crate::warning::{Warning, of_typical};
 
 impl<W> Analysis<W> {
     /// The checks that refute this exact solution: those that compare it with evidence or with what is
@@ -105,7 +105,7 @@ impl Analysis {
         }
     }
 
-    /// (–) the average share of the impact's energy that crush energies by a category of stiffness show, if
+    /// (–) the average share of the impact's energy that crush energies by a typical stiffness show, if
     /// this solution depends on some; it takes them as they are.
     #[must_use]
     pub fn energy_share(&self) -> Option<f64> {
@@ -270,7 +270,7 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
 
 /// (–) the average share of the impact's energy that the crush energies of a case show, if that is known.
 fn energy_share(case: &Case, exact: &Analysis) -> Option<f64> {
-    of_categories(case, &exact.vehicles).as_ref().and_then(Warning::energy_share)
+    of_typical(case, &exact.vehicles).iter().find_map(Warning::energy_share)
 }
 
 /// (–) of a given speed, or of 1 m/s if that is greater: a smaller difference is rounding in the case.

@@ -4,7 +4,7 @@
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
     Axes, Basis, Case, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose,
-    StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
+    StiffnessForm, StiffnessLine, TypicalStiffness, VehicleData, VehicleKind, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -73,12 +73,12 @@ pub enum Assumption {
     ImpactAtOrigin,
     /// The ground is level.
     LevelGround,
-    /// A, B and G are those of CRASH3's stiffness category.
-    CategoryStiffness {
+    /// A, B and G are those of many cars.
+    TypicalStiffness {
         /// The damaged vehicle.
         vehicle: VehicleId,
-        /// The category, 1 to 5.
-        category: u8,
+        /// The cars.
+        typical: TypicalStiffness,
         /// The damaged side.
         side: Side,
         /// (N/m, N/m², N) A, B and G.
@@ -243,7 +243,7 @@ impl Assumption {
             Self::Outline { vehicle, .. } => (vehicle, "length"),
             Self::SpeedUnused { vehicle, is_direction_used: true, .. } => (vehicle, "velocity"),
             Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
-            Self::CategoryStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
+            Self::TypicalStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
             Self::EqualSpacing { vehicle } => (vehicle, "crush.spacing"),
             Self::EnergyWithoutCrush { vehicle, .. } => (vehicle, "crush.stiffness.G"),
             Self::ExactFit { vehicle } => (vehicle, "crush.stiffness.test.fit"),
@@ -530,13 +530,13 @@ fn of_crush(
     let derives_g = match &crush.stiffness {
         StiffnessForm::Line(line) => has_no_g(line),
         StiffnessForm::Zones(zones) => zones.iter().any(has_no_g),
-        StiffnessForm::Category(_) | StiffnessForm::Test(_) => false,
+        StiffnessForm::Typical(_) | StiffnessForm::Test(_) => false,
     };
-    if let StiffnessForm::Category(category) = crush.stiffness
-        && let Ok(SideStiffness::Uniform(stiffness)) = crush.stiffness.structure(crush.side)
+    if let StiffnessForm::Typical(typical) = crush.stiffness
+        && let Ok(stiffness) = typical.stiffness::<f64>(crush.side)
     {
         let abg = [stiffness.a(), stiffness.b(), stiffness.g()];
-        assumptions.push(Assumption::CategoryStiffness { vehicle, category, side: crush.side, abg });
+        assumptions.push(Assumption::TypicalStiffness { vehicle, typical, side: crush.side, abg });
     }
     if let Ok(structure) = crush.stiffness.structure(crush.side)
         && derives_g

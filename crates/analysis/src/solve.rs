@@ -53,7 +53,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let mut warnings = warning::of_found(case, &found);
     let impact = Impact::new(problem.contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    warnings.extend(warning::of_categories(case, &vehicles));
+    warnings.extend(warning::of_typical(case, &vehicles));
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
     let (found, impact) = (Some(found), Some(impact));
@@ -132,7 +132,7 @@ fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Opti
 pub(crate) fn crush(case: &Case) -> Result<Analysis, Failure> {
     let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    let warnings = warning::of_categories(case, &vehicles).into_iter().collect();
+    let warnings = warning::of_typical(case, &vehicles);
     let is_of_damage = case.vehicles.iter().any(GivenVehicle::is_absent);
     let analysis = Analysis { basis: input.basis, is_of_damage, warnings, ..Analysis::unsolved(vehicles) };
     Ok(judged(case, analysis, input.restitution)?.beside_the_rest(case))

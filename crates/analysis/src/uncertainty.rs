@@ -15,8 +15,7 @@ use ::uncertainty::{
 use crash3::CrushError;
 use inputs::{
     Axes, Bounds, Case, ContactSpread, Dimension, EstimatedInput, Fault, FaultKind, Faults, GivenUncertainty,
-    GivenVehicle, Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit,
-    YAW_RADIUS_CONFIDENCE,
+    GivenVehicle, Input, Origin, Range, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE,
 };
 use pim_core::{ImpactError, VehicleId};
 use real::Gradient;
@@ -462,9 +461,10 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
                     ContactSpread::OfInputs | ContactSpread::Exact => continue,
                 }
             }
-            Origin::Estimate(EstimatedInput::Stiffness { .. }) => {
+            Origin::Estimate(EstimatedInput::Stiffness { typical, .. }) => {
                 // A = A₀ exp(σ_A z)
-                (Distribution::log_normal(input.number, STIFFNESS_LN_SD_A), Bounds::Positive)
+                let [of_a, _] = typical.ln_sds();
+                (Distribution::log_normal(input.number, of_a), Bounds::Positive)
             }
             Origin::Estimate(EstimatedInput::YawRadius { source, .. }) => {
                 let distance = source.within() * input.number;

@@ -6,7 +6,7 @@ use crash3::{EnergyBasis, Side, principal_angle};
 use evidence::{EnergyMethod, FITTED};
 use inputs::{
     After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Origin, Quantity, StiffnessForm,
-    StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
+    StiffnessSource, TypicalStiffness, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Real, Regime, Switch, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -14,7 +14,7 @@ use real::elementary::sin_cos;
 use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
-use crate::errors::{category_misfit, damaged_sides};
+use crate::errors::{damaged_sides, misfit};
 use crate::evident::Evident;
 use crate::exchange::Exchange;
 use crate::found::Found;
@@ -148,8 +148,17 @@ pub enum Warning {
         /// (m/s) lower end of the 95 % interval of the speed where the skid begins.
         found: f64,
     },
-    /// The answer takes crush energies by categories of stiffness as they are, but on average they are too
+    /// The answer takes crush energies by the stiffness of the fleet as they are, but on average they are too
     /// small.
+    FleetEnergy {
+        /// The vehicles with that stiffness.
+        of: [bool; 2],
+        /// (–) their average share of the energy that recorders show.
+        share: f64,
+        /// Whether the case has one vehicle, for which there is no estimate.
+        is_alone: bool,
+    },
+    /// The same with categories of stiffness.
     CategoryEnergy {
         /// The vehicles with a category.
         of: [bool; 2],
@@ -593,6 +602,7 @@ impl Warning {
         WreckAlone { vehicle } => "wreck-alone",
         SkidOnGrade { vehicle } => "skid-on-grade",
         CategoryEnergy => "category-energy",
+        FleetEnergy => "fleet-energy",
         SeveralStarts { vehicle } => "several-starts",
         PointMissed { vehicle } => "point-missed",
         RestMissed { vehicle } => "rest-missed",
@@ -634,7 +644,10 @@ impl Warning {
     /// (–) the average share of the impact's energy that crush energies show, if that is what it says.
     #[must_use]
     pub fn energy_share(&self) -> Option<f64> {
-        if let Self::CategoryEnergy { share, .. } = self { Some(*share) } else { None }
+        match self {
+            Self::CategoryEnergy { share, .. } | Self::FleetEnergy { share, .. } => Some(*share),
+            _ => None,
+        }
     }
 
     /// Whether it concerns an exact solution, and not the data of the case: if all the evidence is weighed,
@@ -647,6 +660,7 @@ impl Warning {
                 | Self::EvidenceDiffers { .. }
                 | Self::BelowRecord { .. }
                 | Self::CategoryEnergy { .. }
+                | Self::FleetEnergy { .. }
                 | Self::SeveralStarts { .. }
                 | Self::DamageEnergyDiffers { .. }
                 | Self::DeltaVDiffers { .. }
@@ -689,26 +703,37 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     warnings
 }
 
-/// Warns of crush energies by categories of stiffness.
-pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warning> {
-    let of = vehicles.each_ref().map(|vehicle| {
-        let data = vehicle.subject.damage.as_ref();
-        data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
-    });
+/// Warns of crush energies by typical stiffnesses: those of categories, and that of the fleet.
+pub(crate) fn of_typical(case: &Case, vehicles: &[Vehicle; 2]) -> Vec<Warning> {
     let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
-    if of == [false; 2] || is_corrected || case.has_no_residual_crush() {
-        return None;
+    if is_corrected || case.has_no_residual_crush() {
+        return Vec::new();
     }
-    let years =
-        || case.vehicles.iter().zip(of).filter_map(|(vehicle, is_of)| is_of.then_some(vehicle.model_year));
-    let misfit = category_misfit(case, &damaged_sides(case));
-    let bias = |year| FITTED.energy_error(EnergyMethod::Class, misfit, year, false).bias;
-    // The energy of the car that differs more from the table.
-    let bias = years().map(bias).fold(0.0, f64::min);
-    let share = real::elementary::exp(bias);
     let is_alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let is_year_assumed = years().any(|year| year.is_none());
-    (bias < 0.0).then_some(Warning::CategoryEnergy { of, share, is_alone, is_year_assumed })
+    let warning = |is_by_category: bool| {
+        let of = vehicles.each_ref().map(|vehicle| {
+            let data = vehicle.subject.damage.as_ref();
+            data.is_some_and(|data| match data.stiffness_source {
+                StiffnessSource::Typical(typical) => is_by_category == (typical != TypicalStiffness::Fleet),
+                _ => false,
+            })
+        });
+        let method = if is_by_category { EnergyMethod::Class } else { EnergyMethod::Fleet };
+        let misfit = misfit(case, &damaged_sides(case), is_by_category);
+        let years = || {
+            case.vehicles.iter().zip(of).filter_map(|(vehicle, is_of)| is_of.then_some(vehicle.model_year))
+        };
+        let bias = |year| FITTED.energy_error(method, misfit, year, false).bias;
+        // The energy of the car that differs more from its kind.
+        let bias = years().map(bias).fold(0.0, f64::min);
+        let share = real::elementary::exp(bias);
+        let is_year_assumed = years().any(|year| year.is_none());
+        (bias < 0.0).then_some(match is_by_category {
+            true => Warning::CategoryEnergy { of, share, is_alone, is_year_assumed },
+            false => Warning::FleetEnergy { of, share, is_alone },
+        })
+    };
+    [true, false].into_iter().filter_map(warning).collect()
 }
 
 /// Warnings about a speed (m/s) that was found.

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use analysis::{Ability, Assumption, AxleMeasure, Judgement, Sweep, Warning, judge};
 use case::CaseFile;
-use inputs::{Case, Purpose};
+use inputs::{Case, Purpose, TypicalStiffness};
 use pim_core::VehicleId;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
@@ -242,7 +242,11 @@ fn the_stiffness_of_a_category_is_told() {
     let from = "stiffness = { d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\" }";
     let judgement = changed(PAPER, from, "stiffness = { category = 2 }");
     let told = judgement.assumptions.iter().find_map(|assumption| match assumption {
-        Assumption::CategoryStiffness { vehicle: VehicleId::Two, category: 2, abg, .. } => Some(*abg),
+        Assumption::TypicalStiffness { vehicle: VehicleId::Two, typical, abg, .. }
+            if *typical == TypicalStiffness::Category(2) =>
+        {
+            Some(*abg)
+        }
         _ => None,
     });
     let [a, b, g] = told.unwrap();

@@ -5,9 +5,9 @@ use std::fmt;
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
-    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, LawName, MarkedWheel,
-    OBLIQUE_CORRECTIONS, OtherImpact, OtherParty, SIDES, SUBJECTS, SWELLS, SeverityPrior, UNDAMAGED,
-    UNKNOWNS, VehicleKind, WheelDrag, words_of,
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, FLEET_STIFFNESS, Fit, LawName,
+    MarkedWheel, OBLIQUE_CORRECTIONS, OtherImpact, OtherParty, SIDES, SUBJECTS, SWELLS, SeverityPrior,
+    UNDAMAGED, UNKNOWNS, VehicleKind, WheelDrag, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -782,9 +782,9 @@ pub(crate) static ESTIMATE: Schema = Schema {
         r#"delta_v_median = "26 km/h""#: Form::Exact(Dimension::Speed, POSITIVE),
             "Median ΔV before the evidence. Half of such collisions are less severe. It is the median of the geometric mean of both ΔV.";
         r#"crush_error = "40 %""#: Form::Percent(POSITIVE),
-            "Error of crush energies. How far that of both vehicles may be from the energy that the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a category, A and B, a barrier test of the car, an EES.";
+            "Error of crush energies. How far that of both vehicles may be from the energy that the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a category, the stiffness of the fleet, A and B, a barrier test of the car, an EES.";
         r#"crush_bias = "45 %""#: Form::Percent(POSITIVE),
-            r#"Average share of the impact's energy that crush shows. `"100 %"`: crush energies are right on average. If left out, what recorders showed of energies by a `category`: 43 % between two fronts, 45 % where a side was hit, 87 % where a rear was hit, 51 % where a front met a fixed object, each nearer to 100 % for an older car (`model_year`); and 100 % for everything else."#;
+            r#"Average share of the impact's energy that crush shows. `"100 %"`: crush energies are right on average. If left out, what recorders showed: of energies by a `category`, 43 % between two fronts, 45 % where a side was hit, 87 % where a rear was hit, 51 % where a front met a fixed object, each nearer to 100 % for an older car (`model_year`); of energies by the stiffness of the fleet, 59 %, and 46 % where a front met a fixed object; and 100 % for everything else."#;
         r#"rest_error = "10 %""#: Form::Percent(POSITIVE),
             "Error of a computed rest or point, as a standard deviation. In per cent of its distance from the impact, at the geometric mean of the measured and the computed distance: 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both in quadrature.";
         r#"rest_least_error = "0.5 m""#: Form::Exact(Dimension::Length, POSITIVE),
@@ -1069,7 +1069,8 @@ pub(crate) static CRUSH: Schema = Schema {
             "Widths between neighbouring stations, one fewer than there are depths. Without them, the stations are equally spaced over the width.";
         "from_force_balance = true": Form::Flag,
             "Crush inferred from the other vehicle. Set it to true if this vehicle could not be measured: the force on it equals the force on the other one. It then has no depths.";
-        r#"stiffness = { d0 = "35 lb^0.5", d1 = "115 lb^0.5/ft" }"#: Form::Table(&STIFFNESS);
+        r#"stiffness = { d0 = "35 lb^0.5", d1 = "115 lb^0.5/ft" }"#: Form::WordsOrTable(&[FLEET_STIFFNESS], &STIFFNESS),
+            r#"Stiffness of the damaged side. A table; or `stiffness = "fleet"` for that of the cars on the road, of model years 1991 to 2018 (docs/calibration.md): front 70.2 √N and 876 √N/m, rear 70.2 and 730, side 50.0 and 983, as `d0` and `d1`. It is meant for the whole width of the damaged end, or on a side for the width of the end that struck it. `deltav estimate` corrects energies from it by what recorders showed; the exact solutions do not."#;
         r#"offset = "12 in""#: Form::Quantity(Dimension::Length, ANY),
             r#"Middle of the damage. On the front and rear, its distance to the left of the vehicle's axis, or to the right with `axes = "z-down"`; on the sides, its distance forward of the CG. It places the damage in drawings, gives a line of action or, with the outline, the contact point if there is none, and shows whether a contact point lies within the damage."#;
         r#"pdof = "2.7 deg""#: Form::AngleOrHour,
@@ -1199,7 +1200,7 @@ pub(crate) static UNCERTAINTY: Schema = Schema {
     text: "What `deltav uncertainty` cannot see from the ranges. Errors that several numbers share, and estimates that have no spread.",
     keys: &keys! {
         r#"exact = ["vehicle1.crush.stiffness"]"#: Form::Keys(&ESTIMATES),
-            "Estimates without a spread. The stiffness of a `category`, the yaw inertia of a `class` or by Burg's formula, and a contact point that the program placed have a spread by default; for those listed here it is switched off.";
+            "Estimates without a spread. The stiffness of a `category` or of the fleet, the yaw inertia of a `class` or by Burg's formula, and a contact point that the program placed have a spread by default; for those listed here it is switched off.";
         r#"shared = [{ name = "tape", of = ["vehicle1.crush.depths"], sd = "1 cm" }]"#:
             Form::Tables(&SHARED, 0),
             "Errors that several numbers share. Each sample draws such an error once and applies it to all of its numbers.";

@@ -16,8 +16,8 @@ use case::{
     GivenPhase, GivenRest, GivenSteer, GivenTest, GivenVehicle, Grade, ImpactLaw, KnownEnergy, LeftOut,
     MarkedWheel, Mass, Outline, PathPoint, Pdof, PhaseForm, Place, Program, Quantity, Reconstruct,
     ReportHead, RestHeading, Restitution, Skid, SkidBegin, Spread, SteerPoint, StiffnessForm, StiffnessLine,
-    Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem, VehicleKind, Velocity, WheelDrag,
-    YawInertia, read_quantity, to_toml,
+    Surface, SurfaceRegion, SurfaceZone, Text, TypicalStiffness, Unit, UnitSystem, VehicleKind, Velocity,
+    WheelDrag, YawInertia, read_quantity, to_toml,
 };
 use crash3::ObliqueCorrection;
 use crash3::Side;
@@ -1250,7 +1250,8 @@ fn any_stiffness(zones: usize) -> impl Strategy<Value = StiffnessForm> {
     };
     prop_oneof![
         4 => any_line().prop_map(StiffnessForm::Line),
-        1 => (1..=5_u8).prop_map(StiffnessForm::Category),
+        1 => (1..=5_u8).prop_map(|category| StiffnessForm::Typical(TypicalStiffness::Category(category))),
+        1 => Just(StiffnessForm::Typical(TypicalStiffness::Fleet)),
         1 => any_test().prop_map(StiffnessForm::Test),
         1 => zones,
     ]
@@ -1573,7 +1574,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
             (recorder, certain_speed),
         )| {
             // Tables of cars are for cars.
-            let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
+            let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Typical(_));
             let kind = kind.filter(|_| !crush.as_ref().is_some_and(is_of_table));
             let energy = energy.filter(|_| crush.is_none());
             GivenVehicle {

@@ -9,7 +9,8 @@
 )]
 
 use case::{
-    CaseFile, CrushEvidence, DamageData, Fit, InferredWidth, StiffnessSource, VehicleData, YawSource, to_toml,
+    CaseFile, CrushEvidence, DamageData, Fit, InferredWidth, StiffnessSource, TypicalStiffness, VehicleData,
+    YawSource, to_toml,
 };
 use crash3::{ObliqueCorrection, Side, SideStiffness, Stiffness, crush_energy};
 
@@ -49,10 +50,19 @@ fn read_stiffness(stiffness: &str) -> (SideStiffness, StiffnessSource) {
 #[test]
 fn every_stiffness_names_its_source() {
     let (structure, source) = read_stiffness("{ category = 4 }");
-    assert_eq!(source, StiffnessSource::Category(4));
+    assert_eq!(source, StiffnessSource::Typical(TypicalStiffness::Category(4)));
     let SideStiffness::Uniform(known) = structure else { panic!("uniform") };
     // SAE 870045, Table 1, front, category 4: A 356 lb/in.
     assert!((known.a() * 0.0254 / 4.448_221_615_260_5 - 356.0).abs() < 1e-9);
+
+    let (structure, source) = read_stiffness("\"fleet\"");
+    assert_eq!(source, StiffnessSource::Typical(TypicalStiffness::Fleet));
+    let SideStiffness::Uniform(known) = structure else { panic!("uniform") };
+    // docs/calibration.md: b₀ = 2.22 m/s and b₁ = 27.7 1/s of a car of 1600 kg on 1.6 m.
+    // A = m b₀ b₁/w, B = m b₁²/w, G = m b₀²/2w
+    for (found, expected) in [(known.a(), 61_494.0), (known.b(), 767_290.0), (known.g(), 2_464.2)] {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
+    }
 
     let limited = "{ A = \"50 kN/m\", B = \"1 MN/m^2\", limit = \"200 kN/m\" }";
     let expected = Stiffness::from_ab(50e3, 1e6).unwrap().with_saturation_force(200e3).unwrap();

@@ -95,11 +95,11 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 // One decimal is stated.
                 assert!((found - speed).abs() <= 0.05, "{template}: {found} {named}, not {speed}");
             }
-            // A category of stiffness is the usual source without a test of the car.
+            // The stiffness of the fleet is the usual one without a test of the car.
             let warnings = result["warnings"].as_array().unwrap();
-            let mut others = warnings.iter().filter(|warning| warning["code"] != "category-energy");
+            let mut others = warnings.iter().filter(|warning| warning["code"] != "fleet-energy");
             assert_eq!(others.next(), None, "{template} in {units}");
-            assert!(warnings.is_empty() || text.contains("category = "), "{template} in {units}");
+            assert!(warnings.is_empty() || text.contains("= \"fleet\""), "{template} in {units}");
             if !alone && neither.is_none() {
                 assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
             }
@@ -129,7 +129,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 let told = match (is_weighed, warnings.is_empty()) {
                     (true, _) => "Objections to the exact solution",
                     (_, true) => "No warnings.",
-                    _ => "category-energy",
+                    _ => "fleet-energy",
                 };
                 assert!(report.contains(told), "{template}");
                 // A report on one vehicle does not speak of two.

@@ -94,4 +94,4 @@ pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_
 pub use profile::{Profile, ProfileSums, Zone, equal_spacing};
 pub use real::{Real, principal_angle};
 pub use stiffness::{Saturation, SideStiffness, Stiffness};
-pub use tables::{BURG, BURG_SPREAD, CLASS_SPREAD, VehicleClass, yaw_inertia_burg};
+pub use tables::{BURG, BURG_SPREAD, CLASS_SPREAD, FLEET, FleetStiffness, VehicleClass, yaw_inertia_burg};

@@ -1,6 +1,6 @@
 //! Priors and misfits with their sources.
 
-use crash3::Side;
+use crash3::{FLEET, Side};
 use real::Real;
 use uncertainty::{Distribution, InvalidDistribution};
 
@@ -36,6 +36,8 @@ impl From<Side> for DamagedSide {
 pub enum EnergyMethod {
     /// From the depths, with the stiffness of a category of CRASH3's table.
     Class,
+    /// From the depths, with the stiffness of the cars on the road.
+    Fleet,
     /// From the depths, with a stiffness given by the analyst.
     Coefficients,
     /// From the depths, with the stiffness from a barrier test of this car.
@@ -272,9 +274,9 @@ pub const FITTED: Fitted = Fitted {
     front_to_front: 1.42,
     crush_bias: -0.521,
     crush_ln_sd: [0.405, 0.576, 0.336],
-    slope: [27.7, 23.1, 31.1],
+    slope: FLEET.slope,
     slope_ln_sd: 0.18,
-    no_damage_speed: [2.22, 2.22, 1.58],
+    no_damage_speed: FLEET.no_damage_speed,
     no_damage_speed_ln_sd: 0.38,
     rear_crush: 1.0,
     side_crush: 0.73,
@@ -324,9 +326,6 @@ fn newer(model_year: Option<u16>) -> f64 {
     let [old, new] = MODEL_YEARS.map(f64::from);
     model_year.map_or(1.0, |year| ((f64::from(year) - old) / (new - old)).clamp(0.0, 1.0))
 }
-
-/// (kg, m) mass and width that the stiffness of the fleet refers to.
-const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
     /// The same for collisions selected for an injury with this risk: somebody suffered it in each of them.
@@ -402,10 +401,10 @@ impl Fitted {
     }
 
     /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
-    /// method. An energy by category has the bias of the field as far as the car is newer than CRASH3's
-    /// table, and the spread of its `misfit`; one of unknown `model_year` is taken for a car of the field. If
-    /// the case `has_range` for the stiffness, the EES or the energy of the object, that is the vehicle's own
-    /// error.
+    /// method. An energy by the stiffness of the fleet has the bias and the spread of its `misfit`; one by
+    /// category has that bias only as far as the car is newer than CRASH3's table, and one of unknown
+    /// `model_year` is taken for a car of the field. If the case `has_range` for the stiffness, the EES or
+    /// the energy of the object, that is the vehicle's own error.
     #[must_use]
     pub fn energy_error(
         &self,
@@ -415,9 +414,10 @@ impl Fitted {
         has_range: bool,
     ) -> EnergyError {
         let error = match method {
-            EnergyMethod::Class => {
+            EnergyMethod::Class | EnergyMethod::Fleet => {
                 let CrushMisfit { bias, ln_sd } = misfit;
-                EnergyError { bias: bias * newer(model_year), shared_ln_sd: ln_sd, own_ln_sd: 0.0 }
+                let newer = if method == EnergyMethod::Class { newer(model_year) } else { 1.0 };
+                EnergyError { bias: bias * newer, shared_ln_sd: ln_sd, own_ln_sd: 0.0 }
             }
             EnergyMethod::Coefficients => COEFFICIENTS,
             EnergyMethod::Test => TEST,
@@ -506,9 +506,8 @@ impl Fitted {
     #[must_use]
     pub fn crush_of(&self, damage: DamagedSide, width: f64, mean: f64, mean_square: f64) -> CrushNumbers {
         let (b0, b1) = (self.no_damage_speed[damage as usize], self.slope[damage as usize]);
-        let [mass, reference_width] = REFERENCE;
         // A = m b₀ b₁/w, B = m b₁²/w, G = m b₀²/2w
-        let per_width = mass / reference_width;
+        let per_width = FLEET.mass_per_width;
         CrushNumbers {
             constant: 0.5 * per_width * width * b0 * b0,
             linear: per_width * width * b0 * b1 * mean,

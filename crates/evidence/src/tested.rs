@@ -30,8 +30,12 @@ const HELD_OUT: &str = "cars of 1991 to 2018 in CISS 2017, with stiffnesses by c
                         fitted to other crashes";
 const SEEN: &str =
     "cars of 1991 to 2018 in CISS 2017, with stiffnesses by category, to which the figures were fitted";
-/// The model years of these cars for which the age changes no figure, as it was not counted in the tests.
-const YEARS: RangeInclusive<u16> = MODEL_YEARS[1]..=2018;
+const FLEET_HELD_OUT: &str = "cars of 1991 to 2018 in CISS 2017, with the stiffness of the fleet, each crash judged with \
+                              figures fitted to other crashes";
+const FLEET_SEEN: &str =
+    "cars of 1991 to 2018 in CISS 2017, with the stiffness of the fleet, to which the figures were fitted";
+/// The model years of these cars.
+const YEARS: RangeInclusive<u16> = 1991..=2018;
 
 /// docs/calibration.md, section Categories of CRASH3's table.
 const FRONTS: TestedClass = TestedClass {
@@ -88,6 +92,49 @@ const OBJECT: TestedClass = TestedClass {
     rms: Some(0.584),
     source: HELD_OUT,
 };
+/// The same by the stiffness of the fleet: sections Result and Fixed objects.
+const FLEET_FRONTS: TestedClass = TestedClass {
+    code: "two-fronts-fleet",
+    inside95: 0.953,
+    rms: Some(0.299),
+    source: FLEET_HELD_OUT,
+    ..FRONTS
+};
+const FLEET_FRONT_SIDE: TestedClass = TestedClass {
+    code: "front-side-fleet",
+    inside95: 0.959,
+    rms: Some(0.324),
+    source: FLEET_HELD_OUT,
+    ..FRONT_SIDE
+};
+const FLEET_FRONT_REAR: TestedClass = TestedClass {
+    code: "front-rear-fleet",
+    inside95: 0.935,
+    rms: Some(0.335),
+    source: FLEET_HELD_OUT,
+    ..FRONT_REAR
+};
+const FLEET_WITH_RECORDER: TestedClass = TestedClass {
+    code: "recorder-fleet",
+    inside95: 0.933,
+    rms: Some(0.248),
+    source: FLEET_HELD_OUT,
+    ..WITH_RECORDER
+};
+const FLEET_ONE_CRUSH: TestedClass = TestedClass {
+    code: "one-crush-fleet",
+    inside95: 0.945,
+    rms: Some(0.365),
+    source: FLEET_SEEN,
+    ..ONE_CRUSH
+};
+const FLEET_OBJECT: TestedClass = TestedClass {
+    code: "fixed-object-fleet",
+    inside95: 0.936,
+    rms: Some(0.581),
+    source: FLEET_HELD_OUT,
+    ..OBJECT
+};
 /// The same, section Staged collisions.
 const AFTER: TestedClass = TestedClass {
     code: "velocities-after",
@@ -100,24 +147,51 @@ const AFTER: TestedClass = TestedClass {
 };
 
 impl TestedClass {
-    /// Whether cars of this model year were tested with the figures that it now has; one that is not known
+    /// Whether cars of this model year were tested with the figures that they now have; one that is not known
     /// may be.
     #[must_use]
-    pub fn has_cars_of(model_year: Option<u16>) -> bool {
-        model_year.is_none_or(|year| YEARS.contains(&year))
+    pub fn has_cars_of(method: EnergyMethod, model_year: Option<u16>) -> bool {
+        let is_tested = |year: u16| match method {
+            // The age, which was not counted in the tests, changes no figure from here on.
+            EnergyMethod::Class => (MODEL_YEARS[1]..=*YEARS.end()).contains(&year),
+            EnergyMethod::Fleet => YEARS.contains(&year),
+            EnergyMethod::Coefficients | EnergyMethod::Test | EnergyMethod::Ees | EnergyMethod::OfObject => {
+                true
+            }
+        };
+        model_year.is_none_or(is_tested)
     }
 
     /// All of them.
-    pub const ALL: [Self; 7] = [FRONTS, FRONT_SIDE, FRONT_REAR, WITH_RECORDER, ONE_CRUSH, OBJECT, AFTER];
+    pub const ALL: [Self; 13] = [
+        FRONTS,
+        FRONT_SIDE,
+        FRONT_REAR,
+        WITH_RECORDER,
+        ONE_CRUSH,
+        OBJECT,
+        FLEET_FRONTS,
+        FLEET_FRONT_SIDE,
+        FLEET_FRONT_REAR,
+        FLEET_WITH_RECORDER,
+        FLEET_ONE_CRUSH,
+        FLEET_OBJECT,
+        AFTER,
+    ];
 
     /// The class of an estimate of a vehicle of unknown speed whose front struck a fixed object, with the
     /// severity of such crashes: as [`of`](Self::of).
     #[must_use]
     pub fn of_object(energies: [Option<EnergyMethod>; 2], pieces: &[Piece]) -> Option<&'static Self> {
-        let is_of_class = energies.into_iter().flatten().all(|method| method == EnergyMethod::Class);
         let is_tested = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Crush | Piece::Pdof(_));
-        let all = energies != [None; 2] && is_of_class && pieces.iter().all(is_tested);
-        (all && has_pdof(pieces)).then_some(&OBJECT)
+        if !pieces.iter().all(is_tested) || !has_pdof(pieces) {
+            return None;
+        }
+        match only_method(energies)? {
+            EnergyMethod::Class => Some(&OBJECT),
+            EnergyMethod::Fleet => Some(&FLEET_OBJECT),
+            _ => None,
+        }
     }
 
     /// The class to which an estimate belongs, of two vehicles whose speeds are both unknown and whose
@@ -131,12 +205,7 @@ impl TestedClass {
         energies: [Option<EnergyMethod>; 2],
         pieces: &[Piece],
     ) -> Option<&'static Self> {
-        let is_tested = |method: Option<EnergyMethod>| {
-            matches!(method, None | Some(EnergyMethod::Class | EnergyMethod::Coefficients))
-        };
-        if !energies.into_iter().all(is_tested) || energies == [None; 2] {
-            return None;
-        }
+        let method = only_method(energies)?;
         let is_pair = hit.contains(&DamagedSide::Front);
         let (mut after, mut recorders) = (false, [false; 2]);
         for piece in pieces {
@@ -157,29 +226,44 @@ impl TestedClass {
         // As in RICSAC.
         let velocities = VehicleId::ALL.map(|id| [Piece::SpeedAfter(id), Piece::DirectionAfter(id)]);
         let all_after = velocities.iter().flatten().all(|piece| pieces.contains(piece));
-        let is_of_class = energies.into_iter().flatten().all(|method| method == EnergyMethod::Class);
         let have_both = energies.into_iter().all(|method| method.is_some());
-        match (after, recorders) {
-            // In RICSAC the stiffness is given, in the field it is by category, and all PDOFs are coded.
-            (true, [false, false]) if energies == [Some(EnergyMethod::Coefficients); 2] && all_after => {
-                Some(&AFTER)
+        if method == EnergyMethod::Coefficients {
+            // In RICSAC the stiffness is given, in the field it is typical, and all PDOFs are coded.
+            return (all_after && have_both && recorders == [false; 2]).then_some(&AFTER);
+        }
+        let [fronts, front_side, front_rear, with_recorder, one_crush] = match method {
+            EnergyMethod::Class => [&FRONTS, &FRONT_SIDE, &FRONT_REAR, &WITH_RECORDER, &ONE_CRUSH],
+            EnergyMethod::Fleet => {
+                [&FLEET_FRONTS, &FLEET_FRONT_SIDE, &FLEET_FRONT_REAR, &FLEET_WITH_RECORDER, &FLEET_ONE_CRUSH]
             }
-            _ if !is_of_class || after || !is_pair || !has_pdof(pieces) => None,
-            (false, [true, false] | [false, true]) if have_both => Some(&WITH_RECORDER),
-            (false, [false, false]) if !have_both => Some(&ONE_CRUSH),
-            (false, [false, false]) => match hit {
-                [DamagedSide::Front, DamagedSide::Front] => Some(&FRONTS),
+            _ => return None,
+        };
+        if after || !is_pair || !has_pdof(pieces) {
+            return None;
+        }
+        match recorders {
+            [true, false] | [false, true] if have_both => Some(with_recorder),
+            [false, false] if !have_both => Some(one_crush),
+            [false, false] => match hit {
+                [DamagedSide::Front, DamagedSide::Front] => Some(fronts),
                 [DamagedSide::Front, DamagedSide::Side] | [DamagedSide::Side, DamagedSide::Front] => {
-                    Some(&FRONT_SIDE)
+                    Some(front_side)
                 }
                 [DamagedSide::Front, DamagedSide::Rear] | [DamagedSide::Rear, DamagedSide::Front] => {
-                    Some(&FRONT_REAR)
+                    Some(front_rear)
                 }
                 _ => None,
             },
             _ => None,
         }
     }
+}
+
+/// How all known crush energies were obtained; `None` without one, and if they differ in that.
+fn only_method(energies: [Option<EnergyMethod>; 2]) -> Option<EnergyMethod> {
+    let mut known = energies.into_iter().flatten();
+    let first = known.next()?;
+    known.all(|method| method == first).then_some(first)
 }
 
 fn has_pdof(pieces: &[Piece]) -> bool {
@@ -195,6 +279,7 @@ mod tests {
     use crate::model::Piece;
 
     const CLASS: Option<EnergyMethod> = Some(EnergyMethod::Class);
+    const FLEET: Option<EnergyMethod> = Some(EnergyMethod::Fleet);
 
     fn code(
         hit: [DamagedSide; 2],
@@ -214,7 +299,16 @@ mod tests {
         assert_eq!(code([Front, Front], [CLASS; 2], &crush), Some("two-fronts"));
         assert_eq!(code([Side, Side], [CLASS; 2], &crush), None);
         assert_eq!(code([Front, Side], [CLASS, None], &crush), Some("one-crush"));
+        assert_eq!(code([Front, Side], [FLEET; 2], &crush), Some("front-side-fleet"));
+        assert_eq!(code([Rear, Front], [FLEET; 2], &crush), Some("front-rear-fleet"));
+        assert_eq!(code([Front, Front], [FLEET; 2], &crush), Some("two-fronts-fleet"));
+        assert_eq!(code([Front, Side], [None, FLEET], &crush), Some("one-crush-fleet"));
+        assert_eq!(code([Front, Side], [FLEET, CLASS], &crush), None);
         let with = |piece: Piece| [&crush[..], &[piece]].concat();
+        assert_eq!(
+            code([Front, Side], [FLEET; 2], &with(Piece::RecordedDeltaV(Two))),
+            Some("recorder-fleet")
+        );
         assert_eq!(code([Front, Side], [CLASS; 2], &with(Piece::RecordedDeltaV(Two))), Some("recorder"));
         let both = [&with(Piece::RecordedDeltaV(Two))[..], &[Piece::RecordedDeltaV(One)]].concat();
         assert_eq!(code([Front, Side], [CLASS; 2], &both), None);
@@ -236,6 +330,7 @@ mod tests {
             |energy, pieces: &[Piece]| TestedClass::of_object([energy, None], pieces).map(|class| class.code);
         assert_eq!(of_object(CLASS, &crush), Some("fixed-object"));
         assert_eq!(of_object(CLASS, &with(Piece::RecordedDeltaV(One))), None);
+        assert_eq!(of_object(FLEET, &crush), Some("fixed-object-fleet"));
         assert_eq!(of_object(given, &crush), None);
         assert_eq!(of_object(None, &crush[..1]), None);
         // No estimate without a PDOF was tested.

@@ -13,6 +13,12 @@ fn figures_are_those_of_the_calibration() {
         ("recorder", "| the other vehicle's recorder given, by category | 104 |"),
         ("one-crush", "| the crush of the judged vehicle alone, by category | 348 |"),
         ("fixed-object", "| front and fixed object, by category | 94 |"),
+        ("two-fronts-fleet", "| two fronts | 64 |"),
+        ("front-side-fleet", "| front and side | 172 |"),
+        ("front-rear-fleet", "| front and rear | 107 |"),
+        ("recorder-fleet", "| all, the other vehicle's recorder given | 104 |"),
+        ("one-crush-fleet", "| the vehicle that is judged | 348 |"),
+        ("fixed-object-fleet", "| fixed objects, all | 94 |"),
     ] {
         let class = TestedClass::ALL.into_iter().find(|found| found.code == class);
         let line = page.lines().find(|line| line.starts_with(start));

@@ -7,11 +7,12 @@ use crash3::{CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffn
 use pim_core::Real;
 
 use crate::choices;
+use crate::estimate::TypicalStiffness;
 use crate::inertia::Mass;
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::walk::{Key, Walk};
-use crate::words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED};
+use crate::words::{FLEET_STIFFNESS, OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED};
 
 /// The damage to one side of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,8 +122,8 @@ impl<T: Real> Pdof<T> {
 pub enum StiffnessForm<T = f64> {
     /// Its coefficients.
     Line(StiffnessLine<T>),
-    /// Key `category`: that of CRASH3's table for the damaged side, 1 to 5.
-    Category(u8),
+    /// Key `category`, or the word [`FLEET_STIFFNESS`]: that of many cars.
+    Typical(TypicalStiffness),
     /// Key `test`: fitted to a barrier test.
     Test(GivenTest<T>),
     /// Key `zones`: separate coefficients for each interval between two stations.
@@ -191,7 +192,7 @@ impl<T: Copy> StiffnessForm<T> {
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessForm<U> {
         match self {
             Self::Line(line) => StiffnessForm::Line(line.map(number)),
-            Self::Category(category) => StiffnessForm::Category(*category),
+            Self::Typical(typical) => StiffnessForm::Typical(*typical),
             Self::Test(test) => StiffnessForm::Test(test.map(number)),
             Self::Zones(zones) => {
                 StiffnessForm::Zones(zones.iter().map(|line| line.map(&mut number)).collect())
@@ -263,7 +264,7 @@ impl<T: Real> StiffnessForm<T> {
     pub fn structure(&self, side: Side) -> Result<SideStiffness<T>, CrushError> {
         match self {
             Self::Line(line) => line.stiffness().map(SideStiffness::Uniform),
-            Self::Category(category) => Stiffness::from_category(side, *category).map(SideStiffness::Uniform),
+            Self::Typical(typical) => typical.stiffness(side).map(SideStiffness::Uniform),
             Self::Test(test) => test.stiffness().map(SideStiffness::Uniform),
             Self::Zones(zones) => {
                 zones.iter().map(StiffnessLine::stiffness).collect::<Result<_, _>>().map(SideStiffness::Zones)
@@ -377,9 +378,15 @@ impl<U> Walk<'_, U> {
     ) -> StiffnessForm<U> {
         match stiffness {
             StiffnessForm::Line(line) => StiffnessForm::Line(self.line(table, line)),
-            StiffnessForm::Category(category) => {
-                StiffnessForm::Category(self.count(&Key(table, "category"), *category))
-            }
+            StiffnessForm::Typical(typical) => StiffnessForm::Typical(match *typical {
+                TypicalStiffness::Category(category) => {
+                    TypicalStiffness::Category(self.count(&Key(table, "category"), category))
+                }
+                TypicalStiffness::Fleet => {
+                    self.text(table, Some(&Text::from(FLEET_STIFFNESS.to_owned())));
+                    TypicalStiffness::Fleet
+                }
+            }),
             StiffnessForm::Test(test) => {
                 let table = &Key(table, "test");
                 let at = |key| Key(table, key);

@@ -7,7 +7,7 @@ use pim_core::{Contact, Motion, VaryingLaw};
 use crate::basis::Basis;
 use crate::crush::Fit;
 use crate::dimensions::Dimensions;
-use crate::estimate::YawSource;
+use crate::estimate::{TypicalStiffness, YawSource};
 use crate::vehicle::VehicleKind;
 
 /// Two vehicles that collide, as the mechanics need them.
@@ -144,8 +144,8 @@ pub enum StiffnessSource {
     Coefficients,
     /// d_0 and d_1 as given.
     Roots,
-    /// A category of CRASH3's table for the damaged side.
-    Category(u8),
+    /// That of many cars.
+    Typical(TypicalStiffness),
     /// Fitted to a barrier test.
     Test(Fit),
     /// Coefficients as given, zone by zone.

@@ -2,17 +2,63 @@
 
 use std::fmt;
 
-use crash3::{CrushError, Stiffness};
+use crash3::{CrushError, Side, Stiffness};
 use pim_core::{Real, VehicleId};
 
 use crate::quantity::Quantity;
 
-/// (–) standard deviation of ln A among the vehicles of a fleet.
-///
-/// From 698 full-width frontal barrier tests of NHTSA, medians A = 64 kN/m and B = 769 kN/m².
-pub const STIFFNESS_LN_SD_A: f64 = 0.38;
-/// (–) standard deviation of ln B, likewise.
-pub const STIFFNESS_LN_SD_B: f64 = 0.59;
+/// The stiffness of many cars in place of that of the car itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TypicalStiffness {
+    /// A category of CRASH3's table for the damaged side, 1 to 5.
+    Category(u8),
+    /// The cars on the road, by the damaged side: [`crash3::FLEET`].
+    Fleet,
+}
+
+impl TypicalStiffness {
+    /// The stiffness of a side.
+    ///
+    /// # Errors
+    /// If there is no such category.
+    pub fn stiffness<T: Real>(self, side: Side) -> Result<Stiffness<T>, CrushError> {
+        match self {
+            Self::Category(category) => Stiffness::from_category(side, category),
+            Self::Fleet => Stiffness::of_fleet(side),
+        }
+    }
+
+    /// (–) standard deviations of ln A and of ln B among such cars, which vary together.
+    ///
+    /// Those of a category are from 698 full-width frontal barrier tests of NHTSA, medians A = 64 kN/m and B
+    /// = 769 kN/m². In the fleet the slope b₁ ∝ √B and the no-damage speed b₀ ∝ A/√B vary independently, by
+    /// 0.18 and 0.38 of ln (docs/calibration.md); varying together by 0.15 and 0.25, they give the energy of
+    /// 0.1 to 0.5 m of crush the same spread within 7 %.
+    #[must_use]
+    pub fn ln_sds(self) -> [f64; 2] {
+        match self {
+            Self::Category(_) => [0.38, 0.59],
+            Self::Fleet => [0.40, 0.30],
+        }
+    }
+
+    /// The stiffness of another car of this kind, whose A is `factor` times that of the `known` one; that one
+    /// without a factor.
+    ///
+    /// # Errors
+    /// If there is no such stiffness.
+    #[inline(always)]
+    pub fn of_car<T: Real>(self, known: Stiffness<T>, factor: Option<T>) -> Result<Stiffness<T>, CrushError> {
+        let Some(factor) = factor else { return Ok(known) };
+        let [of_a, of_b] = self.ln_sds();
+        // A = f A₀ with ln f = σ_A z, B = B₀ exp(σ_B z) = f^(σ_B/σ_A) B₀
+        let b_factor = factor.power(of_b / of_a);
+        // G is A²/2B
+        let g_factor = factor * factor / b_factor;
+        Stiffness::from_abg(known.a() * factor, known.b() * b_factor, known.g() * g_factor)
+    }
+}
+
 /// (–) probability with which k of a size class or by Burg's formula is [as accurate as
 /// assumed](YawSource::within).
 pub const YAW_RADIUS_CONFIDENCE: f64 = 0.95;
@@ -86,13 +132,13 @@ pub enum ContactSpread {
 /// A value of a vehicle from a table or a formula, or a point placed by the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimatedInput {
-    /// Stiffness of a category: the factor is that of A; B varies with it, as both are high in stiff
+    /// Stiffness of many cars: the factor is that of A; B varies with it, as both are high in stiff
     /// vehicles.
     Stiffness {
         /// The vehicle.
         vehicle: VehicleId,
-        /// The category.
-        category: u8,
+        /// The cars.
+        typical: TypicalStiffness,
     },
     /// Radius of gyration of a size class, or by Burg's formula.
     YawRadius {
@@ -137,25 +183,10 @@ impl EstimatedInput {
 /// How far the estimates of both vehicles are varied; `None` if there is no estimate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Departures<T = f64> {
-    /// (–) factor on A of a stiffness category.
+    /// (–) factor on A of a typical stiffness.
     pub stiffness: [Option<T>; 2],
     /// (–) factor on the radius of gyration of a size class or by Burg's formula.
     pub yaw_radius: [Option<T>; 2],
     /// (m) displacement of a placed contact point, for each [`FaceAxis`].
     pub contact: [[Option<Quantity<T>>; 2]; 2],
-}
-
-/// The stiffness of another vehicle of the same category, whose A is `factor` times as large; the `known` one
-/// without a factor.
-///
-/// # Errors
-/// If there is no such stiffness.
-#[inline(always)]
-pub fn scaled_stiffness<T: Real>(known: Stiffness<T>, factor: Option<T>) -> Result<Stiffness<T>, CrushError> {
-    let Some(factor) = factor else { return Ok(known) };
-    // A = f A₀ with ln f = σ_A z, B = B₀ exp(σ_B z) = f^(σ_B/σ_A) B₀
-    let b_factor = factor.power(STIFFNESS_LN_SD_B / STIFFNESS_LN_SD_A);
-    // G is A²/2B
-    let g_factor = factor * factor / b_factor;
-    Stiffness::from_abg(known.a() * factor, known.b() * b_factor, known.g() * g_factor)
 }

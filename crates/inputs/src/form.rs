@@ -16,8 +16,8 @@ use pim_core::{Real, VehicleId};
 use crate::axes::Axes;
 use crate::basis::Basis;
 use crate::case::Case;
-use crate::crush::{Crush, GivenEes, KnownEnergy, Pdof};
-use crate::estimate::{YawSource, scaled_stiffness};
+use crate::crush::{Crush, GivenEes, KnownEnergy, Pdof, StiffnessForm};
+use crate::estimate::YawSource;
 use crate::impact::{GivenImpact, ImpactLaw};
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
@@ -145,7 +145,7 @@ pub enum DamageForm<'a, N = f64> {
 pub struct CrushForm<'a, N = f64> {
     /// As given.
     pub crush: &'a Crush<N>,
-    /// (–) the factor on the stiffness, if that is of a category.
+    /// (–) the factor on the stiffness, if that is of many cars.
     pub factor: Option<N>,
 }
 
@@ -500,9 +500,12 @@ impl<T: Real> CrushForm<'_, T> {
     /// # Errors
     /// If the coefficients, the category or the test are impossible.
     pub fn structure(&self) -> Result<SideStiffness<T>, CrushError> {
-        match self.crush.stiffness.structure(self.crush.side)? {
-            SideStiffness::Uniform(known) => scaled_stiffness(known, self.factor).map(SideStiffness::Uniform),
-            zones @ SideStiffness::Zones(_) => Ok(zones),
+        let Crush { stiffness, side, .. } = self.crush;
+        match stiffness {
+            StiffnessForm::Typical(typical) => {
+                typical.of_car(typical.stiffness(*side)?, self.factor).map(SideStiffness::Uniform)
+            }
+            form => form.structure(*side),
         }
     }
 }

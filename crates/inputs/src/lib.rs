@@ -96,7 +96,7 @@ pub use demands::{contradictions, table, uncertain_speeds};
 pub use dimensions::Dimensions;
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, EstimatedInput, FaceAxis, OFFSET_SD,
-    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YawSource, scaled_stiffness,
+    TypicalStiffness, YAW_RADIUS_CONFIDENCE, YawSource,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use form::{
@@ -123,4 +123,4 @@ pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Outline, VehicleKind, Velocity};
 pub use walk::{GivenValue, Input, Origin, Variable};
 pub use way_out::{ClearForm, ClearSpeedForm, OutlinesForm, PlacesForm, WayOutForm};
-pub use words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};
+pub use words::{FLEET_STIFFNESS, OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

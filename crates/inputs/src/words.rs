@@ -11,6 +11,9 @@ pub const SIDES: [(&str, Side); 4] =
 /// `crush` of a vehicle without damage.
 pub const UNDAMAGED: &str = "none";
 
+/// The key `stiffness` for that of the cars on the road.
+pub const FLEET_STIFFNESS: &str = "fleet";
+
 /// `crush.oblique`, except the limit by friction, which has a number.
 pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
     ("capped", ObliqueCorrection::Capped),

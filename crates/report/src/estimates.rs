@@ -234,6 +234,9 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                 "Their error is that found in crashes with recorders, in which ΔV was still a fifth too low on average \
                  where a vehicle was crushed 45 cm or more (docs/calibration.md).",
             ),
+            EnergyMethod::Fleet => {
+                ("by the stiffness of the fleet", "Their error is that found in crashes with recorders.")
+            }
             EnergyMethod::Coefficients => (
                 "from the stiffness that the case gives",
                 "Their error is the part of the error in real crashes that is not due to the stiffness and, \
@@ -257,7 +260,12 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let bias_words = match (is_default("estimate.crush_bias"), bias == 0.0) {
             (true, false) => format!(
                 "{energies} are on average {shown} % of what such an impact takes; they are multiplied by {times} \
-                 (docs/calibration.md; `model_year` and `crush_bias` change it)."
+                 (docs/calibration.md; {} it).",
+                if method == EnergyMethod::Class {
+                    "`model_year` and `crush_bias` change"
+                } else {
+                    "`crush_bias` changes"
+                }
             ),
             (true, true) if matches!(method, EnergyMethod::Coefficients | EnergyMethod::Test) => format!(
                 "{energies} are taken as right on average, which no crash with a recorder has tested: with the stiffness of \

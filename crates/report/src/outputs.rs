@@ -2,7 +2,7 @@
 
 use analysis::quantities::SKID_SPEED;
 use analysis::{Kind, Output, Reason};
-use case::{EstimatedInput, FaceAxis, Input, Origin, YawSource};
+use case::{EstimatedInput, FaceAxis, Input, Origin, TypicalStiffness, YawSource};
 
 use crate::units::{Measure, Units};
 
@@ -48,7 +48,10 @@ pub(crate) fn input_name(input: &Input) -> String {
 /// The source of an estimate.
 pub(crate) fn estimate_source(estimate: EstimatedInput) -> String {
     match estimate {
-        EstimatedInput::Stiffness { category, .. } => format!("category {category}"),
+        EstimatedInput::Stiffness { typical: TypicalStiffness::Category(category), .. } => {
+            format!("category {category}")
+        }
+        EstimatedInput::Stiffness { typical: TypicalStiffness::Fleet, .. } => "fleet".to_owned(),
         EstimatedInput::YawRadius { source: YawSource::Class(class), .. } => format!("class {class}"),
         EstimatedInput::YawRadius { .. } => "Burg".to_owned(),
         EstimatedInput::Contact { .. } => "centroid of the damage".to_owned(),

@@ -3,8 +3,8 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    Case, Dimension, GivenValue, Input, Origin, Range, Recorder, SUBJECTS, SWELLS, Spread, Unit, UnitSystem,
-    list_of, word,
+    Case, Dimension, GivenValue, Input, Origin, Range, Recorder, SUBJECTS, SWELLS, Spread, TypicalStiffness,
+    Unit, UnitSystem, list_of, word,
 };
 use pim_core::VehicleId;
 use recorder::{Channel, RecorderTable};
@@ -159,11 +159,15 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         Assumption::ZUp => {
             "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
         }
-        Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
-            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}",
+        Assumption::TypicalStiffness { typical, side, abg: [a, b, g], .. } => format!(
+            "A = {}, B = {}, G = {}: {}, {}",
             units.format(Measure::StiffnessA, *a),
             units.format(Measure::StiffnessB, *b),
             units.format(Measure::StiffnessG, *g),
+            match typical {
+                TypicalStiffness::Category(category) => format!("category {category} of CRASH3's table"),
+                TypicalStiffness::Fleet => "cars of 1991 to 2018 (docs/calibration.md)".to_owned(),
+            },
             words::side_name(*side)
         ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),

@@ -5,7 +5,7 @@ use analysis::{
     FASTEST_BACK, FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning,
     Warning, Weighed,
 };
-use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
+use case::{Basis, Case, ContactSpread, StiffnessSource, TypicalStiffness, VehicleKind};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
 
@@ -277,27 +277,23 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*found),
             speed(*recorded)
         ),
-        Warning::CategoryEnergy { of, share, is_alone, is_year_assumed } => format!(
-            "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {}, crush \
-             energies from it are on average {} % of what the impact takes, and this answer takes them as they \
-             are, so {}",
-            match of {
-                [true, true] => "both vehicles",
-                [true, false] => "vehicle 1",
-                _ => "vehicle 2",
-            },
-            if *is_year_assumed {
+        Warning::CategoryEnergy { of, share, is_alone, is_year_assumed } => {
+            let cars = if *is_year_assumed {
                 "cars of about 2010 (give `model_year` if it differs)"
             } else {
                 "cars of the stated `model_year`"
-            },
-            number(100.0 * share, 0),
-            if *is_alone {
-                "energy and EES are too small on average; prefer a stiffness that was measured on this model"
-            } else {
-                "its speeds and ΔV are too low on average; `deltav estimate` corrects them"
-            }
-        ),
+            };
+            let stiffness = format!(
+                "the stiffness of {} is from a category of CRASH3's table, which describes cars of the 1970s: for {cars},",
+                vehicles(*of)
+            );
+            let instead = "prefer a stiffness that was measured on this model, or stiffness = \"fleet\" for a newer car";
+            too_small(&stiffness, *share, *is_alone, instead)
+        }
+        Warning::FleetEnergy { of, share, is_alone } => {
+            let stiffness = format!("the stiffness of {} is that of the fleet:", vehicles(*of));
+            too_small(&stiffness, *share, *is_alone, "prefer a stiffness that was measured on this model")
+        }
         Warning::SkidDirection { vehicle, skid, course } => format!(
             "the skid marks of vehicle {vehicle} run from the place `from` to the impact in the direction {}, \
              but the vehicle travelled in the direction {}; check the place, the signs of its coordinates, and \
@@ -745,6 +741,29 @@ fn say_what_it_is(kinds: &[VehicleKind]) -> String {
     }
 }
 
+/// Some vehicles, one at least.
+fn vehicles(of: [bool; 2]) -> &'static str {
+    match of {
+        [true, true] => "both vehicles",
+        [true, false] => "vehicle 1",
+        _ => "vehicle 2",
+    }
+}
+
+/// That crush energies by this stiffness show only a share of the impact's energy on average.
+fn too_small(stiffness: &str, share: f64, is_alone: bool, instead: &str) -> String {
+    let share = number(100.0 * share, 0);
+    let so = if is_alone {
+        format!("energy and EES are too small on average; {instead}")
+    } else {
+        "its speeds and ΔV are too low on average; `deltav estimate` corrects them".to_owned()
+    };
+    format!(
+        "{stiffness} crush energies from it are on average {share} % of what the impact takes, and this answer takes them \
+         as they are, so {so}"
+    )
+}
+
 /// What to check if a stiffness is implausible for a car.
 fn stiffness_check(source: StiffnessSource) -> &'static str {
     match source {
@@ -752,7 +771,8 @@ fn stiffness_check(source: StiffnessSource) -> &'static str {
             "check the units of A and B, and that they are not swapped"
         }
         StiffnessSource::Roots => "check the units of d0 and d1",
-        StiffnessSource::Category(_) => "check the category and the damaged side",
+        StiffnessSource::Typical(TypicalStiffness::Category(_)) => "check the category and the damaged side",
+        StiffnessSource::Typical(TypicalStiffness::Fleet) => "check the damaged side",
         StiffnessSource::Test(_) => "check the barrier test, its mass, width and no-damage speed",
     }
 }

@@ -5,7 +5,9 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use analysis::{Analysis, EvidenceMethod, Evident, Hypothesis, Pass, Vehicle};
-use case::{Case, Find, Fit, Program, SIDES, StiffnessSource, Text, UNKNOWNS, VehicleKind, word};
+use case::{
+    Case, Find, Fit, Program, SIDES, StiffnessSource, Text, TypicalStiffness, UNKNOWNS, VehicleKind, word,
+};
 use crash3::Side;
 use pim_core::Regime;
 use pim_core::VehicleId;
@@ -100,12 +102,15 @@ pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
     match source {
         StiffnessSource::Coefficients => "A and B as given".to_owned(),
         StiffnessSource::Roots => "d0 and d1 as given".to_owned(),
-        StiffnessSource::Category(category) => {
+        StiffnessSource::Typical(typical) => {
             let side = match side {
                 Side::Left | Side::Right => "side",
                 Side::Front | Side::Rear => side_name(side),
             };
-            format!("CRASH3 category {category}, {side}")
+            match typical {
+                TypicalStiffness::Category(category) => format!("CRASH3 category {category}, {side}"),
+                TypicalStiffness::Fleet => format!("fleet, {side}"),
+            }
         }
         StiffnessSource::Test(Fit::Exact) => "barrier test, exact fit".to_owned(),
         StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),

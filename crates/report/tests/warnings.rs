@@ -272,7 +272,8 @@ fn units_and_keys_to_check_are_named() {
         (StiffnessSource::Coefficients, "units of A and B, and that they are not swapped"),
         (StiffnessSource::Zones, "units of A and B"),
         (StiffnessSource::Roots, "units of d0 and d1"),
-        (StiffnessSource::Category(4), "the category"),
+        (StiffnessSource::Typical(case::TypicalStiffness::Category(4)), "the category"),
+        (StiffnessSource::Typical(case::TypicalStiffness::Fleet), "the damaged side"),
         (StiffnessSource::Test(case::Fit::Exact), "the barrier test"),
     ] {
         let warning = Warning::HighNoDamageSpeed { vehicle: VehicleId::One, speed: 8.9408, source };

@@ -231,8 +231,8 @@ fn energies_within_the_limit_of_the_check_do_not_disagree() {
     };
     assert_eq!(note(intersection), [true, false]);
     let deep = intersection
-        .replace("\"12 17 22 26 cm\"", "\"48 68 88 104 cm\"")
-        .replace("\"10 17 22 20 9 cm\"", "\"40 68 88 80 36 cm\"");
+        .replace("\"10 14 18 21 cm\"", "\"48 68 88 104 cm\"")
+        .replace("\"6 10 14 12 6 cm\"", "\"40 68 88 80 36 cm\"");
     assert_eq!(note(&deep), [false, true]);
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::ForceBalance { .. } | Warning::DamageEnergyDiffers { .. } => "crush.depths",
         Warning::InferredEnergy { .. } => "crush.width",
         Warning::DamageCentroid { .. } | Warning::DamageOutside { .. } => "crush.offset",
-        Warning::CategoryEnergy { of, .. } => {
+        Warning::CategoryEnergy { of, .. } | Warning::FleetEnergy { of, .. } => {
             let vehicles = [1, 2].into_iter().zip(of).filter(|(_, of)| **of);
             return vehicles.map(|(number, _)| format!("vehicle{number}.crush.stiffness")).collect();
         }

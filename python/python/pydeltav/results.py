@@ -1101,7 +1101,7 @@ class CrushError(Record):
     """How far the crush energy of a vehicle may be off, in ln."""
 
     method: str
-    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"``, ``"ees"``, or, for a
+    """How the energy was obtained: ``"class"``, ``"fleet"``, ``"coefficients"``, ``"test"``, ``"ees"``, or, for a
     fixed object, ``"object"``."""
     bias: float
     """(–) average error that all such energies share."""

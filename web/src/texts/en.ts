@@ -80,6 +80,7 @@ export const texts = {
     axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
     kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
     crush: { none: "none: its damage took no energy that counts" },
+    stiffness: { fleet: "fleet: that of cars of 1991 to 2018" },
     fit: { exact: "exact: gives the energy of the test", mean: "mean: from the mean crush, a few per cent too high" },
     oblique: {
       capped: "capped: 1 + tan²α, α at most 45° (CRASH3)",

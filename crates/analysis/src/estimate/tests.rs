@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 
 use ::estimate::ParticleSettings;
 use case::CaseFile;
+use evidence::CrushErrors;
 use inputs::{Case, SeverityPrior};
 
 use super::*;
@@ -118,6 +119,18 @@ fn the_judged_collisions_are_named() {
     };
     assert_eq!((of_year(1991), of_year(2009), of_year(2019)), (None, None, None));
     assert_eq!((of_year(2010), of_year(2018)), (Some("two-fronts"), Some("two-fronts")));
+    // With the stiffness of the fleet the age was never counted.
+    let of_fleet = |text: String| run(&read(&text), 128).unwrap().tested.map(|class| class.code);
+    let fleet = |year: u16| {
+        let vehicles = vehicle(1, 0, "pdof = \"0 deg\"\n") + &vehicle(2, 180, "");
+        let dated = vehicles.replacen("[vehicle1]\n", &format!("[vehicle1]\nmodel_year = {year}\n"), 1);
+        dated.replace("{ category = 3 }", "\"fleet\"")
+            + "[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = { friction = 0.5 }\n"
+    };
+    let codes = [1990, 1991, 2018, 2019].map(|year| of_fleet(fleet(year)));
+    assert_eq!(codes, [None, Some("two-fronts-fleet"), Some("two-fronts-fleet"), None]);
+    // Nobody tested one of each.
+    assert_eq!(of_fleet(fleet(2015).replacen("\"fleet\"", "{ category = 3 }", 1)), None);
     // Nor was an assumption of the analyst's own tested, or another law.
     for own in
         ["crush_error = \"40 %\"", "crush_bias = \"90 %\"", "delta_v_median = \"20 km/h\"", "stood = \"5 %\""]
@@ -1390,6 +1403,34 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     // A side against an object was not fitted to such crashes.
     let side = of_case(&text("left", "fixed = true\n", ""));
     assert_eq!(side.observed.crush.unwrap().0[0].bias, -0.794);
+    // So has the stiffness of the fleet (docs/calibration.md), whose age does not count.
+    for (side, year, [bias, ln_sd, error]) in [
+        ("front", 2015, [-0.770, 1.470, 0.243]),
+        ("front", 1978, [-0.770, 1.470, 0.243]),
+        ("left", 2015, [-0.521, 0.336, 0.159]),
+    ] {
+        let fleet = text(side, "fixed = true\n", "").replace("{ category = 3 }", "\"fleet\"");
+        let setup =
+            of_case(&fleet.replacen("[vehicle1]\n", &format!("[vehicle1]\nmodel_year = {year}\n"), 1));
+        let (errors, figures) = (setup.observed.crush.unwrap().0[0], setup.observed.figures.unwrap());
+        assert_eq!([errors.bias, errors.shared_ln_sd], [bias, ln_sd]);
+        assert!(
+            (figures.bias_sd(VehicleId::One) - error).abs() < 5e-4,
+            "{}",
+            figures.bias_sd(VehicleId::One)
+        );
+    }
+}
+
+/// Vehicles of different kinds of stiffness have each the bias and the spread of its own.
+#[test]
+fn a_category_beside_the_fleet_keeps_its_bias() {
+    let text =
+        include_str!("../../../../fixtures/t-bone-category.toml").replace("{ category = 4 }", "\"fleet\"");
+    let CrushErrors([one, two]) = of_case(&text).observed.crush.unwrap();
+    // docs/calibration.md: a side was hit.
+    assert_eq!([one.bias, one.shared_ln_sd], [-0.521, 0.336]);
+    assert_eq!([two.bias, two.shared_ln_sd], [-0.794, 0.387]);
 }
 
 /// The answer for a serious injury, shown next to that of the field, equals the one from a run with that

@@ -8,9 +8,9 @@ use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED};
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, KnownEnergy, Mass,
-    OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED,
-    VehicleKind, Velocity, YawInertia, format_number,
+    ContactPoint, Crush, Dimension, FLEET_STIFFNESS, Fit, GivenEes, GivenTest, GivenVehicle, KnownEnergy,
+    Mass, OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine,
+    TypicalStiffness, UNDAMAGED, VehicleKind, Velocity, YawInertia, format_number,
 };
 
 /// Why a crush from the force balance lacks a key, and what to remove if that is wrong.
@@ -334,8 +334,8 @@ impl<'t> Reader<'t> {
 
     fn stiffness(&mut self, crush: &Table<'t>) -> Option<StiffnessForm> {
         const FORMS: &str = "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" } or stiffness = { A = \"587 N/cm\", \
-                             B = \"63.3 N/cm^2\" }, each with G = \"612 lb\" if it is known; or { category = 4 }, { test = { … } } or \
-                             { zones = [{ … }, …] }";
+                             B = \"63.3 N/cm^2\" }, each with G = \"612 lb\" if it is known; or \"fleet\", { category = 4 }, \
+                             { test = { … } } or { zones = [{ … }, …] }";
         const TEST_FORMS: &str = "test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", \
                                   depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }";
         const ZONE_FORMS: &str =
@@ -344,15 +344,20 @@ impl<'t> Reader<'t> {
                                     limit = \"1500 N/cm\" }; a category and a test allow no other key";
         const IN_ZONE_FORMS: &str = "limit and G in the zone they belong to, as in \
                                      zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\", limit = \"1500 N/cm\" }, …]";
+        if crush.get("stiffness").is_some_and(|value| value.get_ref().as_str().is_some()) {
+            let fleet = [(FLEET_STIFFNESS, TypicalStiffness::Fleet)];
+            return self.choice_among(crush, "stiffness", &fleet, FORMS).map(StiffnessForm::Typical);
+        }
         let table = self.inline(crush, "stiffness", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
                 let place = Place {
-                    example: "stiffness = { category = 4 }; the table covers only passenger cars; for a van, a pickup or a truck, give A and B or \
-                              a test",
+                    example: "stiffness = { category = 4 }; the table covers only passenger cars of the 1970s; for newer cars, write \
+                              stiffness = \"fleet\"; for a van, a pickup or a truck, give A and B or a test",
                     ..Place::of_key(&table, "category")?
                 };
-                self.counted(&place, &table, "category").map(StiffnessForm::Category)
+                let category = self.counted(&place, &table, "category");
+                category.map(TypicalStiffness::Category).map(StiffnessForm::Typical)
             }
             ["test"] => {
                 let test = self.inline(&table, "test", TEST_FORMS)?;

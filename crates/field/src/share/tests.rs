@@ -5,6 +5,7 @@
 )]
 
 use evidence::{DamagedSide, FITTED, Fitted};
+use inputs::TypicalStiffness;
 
 use super::{fit_share, moments};
 use crate::error::FieldError;
@@ -89,7 +90,25 @@ fn no_pair_has_no_shares() {
 #[test]
 fn a_category_has_the_spread_of_a_case() {
     let fitted = FITTED.by_category(&[DamagedSide::Front]);
-    let slope = 0.5 * inputs::STIFFNESS_LN_SD_B;
+    let [of_a, of_b] = TypicalStiffness::Category(1).ln_sds();
+    let slope = 0.5 * of_b;
     assert!((fitted.slope_ln_sd - slope).abs() < 1e-12);
-    assert!((fitted.no_damage_speed_ln_sd - (inputs::STIFFNESS_LN_SD_A - slope)).abs() < 1e-12);
+    assert!((fitted.no_damage_speed_ln_sd - (of_a - slope)).abs() < 1e-12);
+}
+
+/// One factor on A gives the energy of a car of the fleet the spread that its two figures give it.
+#[test]
+fn one_factor_stands_for_both_spreads_of_the_fleet() {
+    let [of_a, of_b] = TypicalStiffness::Fleet.ln_sds();
+    for side in [0, 1, 2] {
+        for depth in [0.1, 0.2, 0.3, 0.4, 0.5] {
+            let (b0, b1) = (FITTED.no_damage_speed[side], FITTED.slope[side]);
+            // E ~ (b₀ + b₁ C)², of which each spread moves its term
+            let share = b0 / (b0 + b1 * depth);
+            let both = 2.0 * (share * FITTED.no_damage_speed_ln_sd).hypot((1.0 - share) * FITTED.slope_ln_sd);
+            // A ~ b₀ b₁, B ~ b₁²
+            let one = 2.0 * (share * (of_a - 0.5 * of_b) + (1.0 - share) * 0.5 * of_b);
+            assert!((one / both - 1.0).abs() < 0.07, "{side} {depth}: {one} {both}");
+        }
+    }
 }

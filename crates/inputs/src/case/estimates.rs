@@ -9,21 +9,21 @@ use crate::estimate::{
 };
 
 impl<T: Copy + From<f64>> Case<T> {
-    /// Whether the stiffness of each vehicle comes from a category, its radius of gyration from a class or a
+    /// Whether the stiffness of each vehicle is that of many cars, its radius of gyration from a class or a
     /// formula, and the contact point of an impact from the damage.
     #[must_use]
     pub fn estimates(&self) -> Vec<EstimatedInput> {
         let of = |vehicle: VehicleId| {
             let given = &self.vehicles[vehicle.index()];
-            let category = given.crush.as_ref().and_then(|crush| match crush.stiffness {
-                StiffnessForm::Category(category) => Some(category),
+            let typical = given.crush.as_ref().and_then(|crush| match crush.stiffness {
+                StiffnessForm::Typical(typical) => Some(typical),
                 _ => None,
             });
             let source = given
                 .yaw_form(T::from(1.0))
                 .map(|yaw| yaw.source())
                 .filter(|source| *source != YawSource::Given);
-            let stiffness = category.map(|category| EstimatedInput::Stiffness { vehicle, category });
+            let stiffness = typical.map(|typical| EstimatedInput::Stiffness { vehicle, typical });
             let yaw_radius = source.map(|source| EstimatedInput::YawRadius { vehicle, source });
             let is_placed = self.impact.is_some() && given.places_contact();
             let contact =

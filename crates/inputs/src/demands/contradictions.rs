@@ -5,6 +5,7 @@ use pim_core::VehicleId;
 use super::table;
 use crate::case::Find;
 use crate::crush::StiffnessForm;
+use crate::estimate::TypicalStiffness;
 use crate::fault::Fault;
 use crate::recorder::CertainSpeed;
 use crate::vehicle::{GivenVehicle, VehicleKind, Velocity};
@@ -63,15 +64,24 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
                 "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front",
             );
         }
-        if vehicle.crush.as_ref().is_some_and(|crush| matches!(crush.stiffness, StiffnessForm::Category(_))) {
-            contradiction(
-                &format!("{table}.crush.stiffness.category"),
-                &format!(
-                    "CRASH3's stiffness categories are for passenger cars, but [{table}] has kind = \"{kind}\""
-                ),
-                "give A and B of its structure, or a test",
-            );
-        }
+        let typical = vehicle.crush.as_ref().and_then(|crush| match crush.stiffness {
+            StiffnessForm::Typical(typical) => Some(typical),
+            _ => None,
+        });
+        let (key, what) = match typical {
+            Some(TypicalStiffness::Category(_)) => {
+                ("crush.stiffness.category", "CRASH3's stiffness categories are for passenger cars")
+            }
+            Some(TypicalStiffness::Fleet) => {
+                ("crush.stiffness", "the stiffness of the fleet is that of passenger cars")
+            }
+            None => continue,
+        };
+        contradiction(
+            &format!("{table}.{key}"),
+            &format!("{what}, but [{table}] has kind = \"{kind}\""),
+            "give A and B of its structure, or a test",
+        );
     }
     let inferred =
         |id: VehicleId| vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance);

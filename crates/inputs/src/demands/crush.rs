@@ -94,7 +94,7 @@ impl<T: Real> Demand<'_, T> {
             stiffness_source: match &crush.stiffness {
                 StiffnessForm::Line(StiffnessLine::Crush { .. }) => StiffnessSource::Coefficients,
                 StiffnessForm::Line(StiffnessLine::Root { .. }) => StiffnessSource::Roots,
-                StiffnessForm::Category(category) => StiffnessSource::Category(*category),
+                StiffnessForm::Typical(typical) => StiffnessSource::Typical(*typical),
                 StiffnessForm::Test(test) => StiffnessSource::Test(test.fit),
                 StiffnessForm::Zones(_) => StiffnessSource::Zones,
             },

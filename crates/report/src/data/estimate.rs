@@ -89,6 +89,7 @@ fn tested(class: &TestedClass) -> Value {
 fn crush(estimated: &Estimated, CrushErrors(errors): &CrushErrors, id: VehicleId) -> Option<Value> {
     let method = match estimated.energies[id.index()]? {
         EnergyMethod::Class => "class",
+        EnergyMethod::Fleet => "fleet",
         EnergyMethod::Coefficients => "coefficients",
         EnergyMethod::Test => "test",
         EnergyMethod::Ees => "ees",

@@ -66,7 +66,7 @@ impl<'a> Headline<'a> {
                 } else if why.takes_bound {
                     "The damage only bounds the speed"
                 } else {
-                    "Crush energies by category are too small on average"
+                    "The crush energies are too small on average"
                 };
                 let found = vec![format!("{why_not}: the answer is the estimate from all evidence.")];
                 let how = format!(
@@ -147,8 +147,8 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
 fn takes(share: f64) -> String {
     let share = number(100.0 * share, 0);
     format!(
-        "takes crush energies from a stiffness category at face value, although they are on average {share} % of the \
-         energy of the impact"
+        "takes crush energies from a typical stiffness at face value, although they are on average {share} % of the energy \
+         of the impact"
     )
 }
 

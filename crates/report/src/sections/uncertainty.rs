@@ -9,8 +9,8 @@ use analysis::{
     UncertainInput, UncertainOutput, Uncertainty,
 };
 use case::{
-    Case, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE,
+    Case, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, Input, OFFSET_SD, Origin, TypicalStiffness,
+    YAW_RADIUS_CONFIDENCE,
 };
 use crash3::principal_angle;
 
@@ -503,14 +503,17 @@ impl<'a> Page<'a> {
 
     /// Inputs that have a spread although the file gives no range.
     fn default_spreads(&mut self) {
-        let (mut stiffness, mut yaw_radius, mut contact) = (Vec::new(), Vec::new(), Vec::new());
-        let mut times = [1.0; 2];
+        let (mut yaw_radius, mut contact) = (Vec::new(), Vec::new());
+        // By category and of the fleet: the names, and how far A may differ.
+        let mut stiffnesses = [(Vec::new(), None), (Vec::new(), None)];
         for input in &self.uncertainty.inputs {
             let Origin::Estimate(estimate) = input.input.origin else { continue };
             match estimate {
-                EstimatedInput::Stiffness { .. } => {
-                    stiffness.push(estimate_name(estimate));
-                    times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
+                EstimatedInput::Stiffness { typical, .. } => {
+                    let (names, spread) = &mut stiffnesses[usize::from(typical == TypicalStiffness::Fleet)];
+                    names.push(estimate_name(estimate));
+                    let times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
+                    *spread = Some((typical, times));
                 }
                 EstimatedInput::YawRadius { source, .. } => {
                     let within = number(100.0 * source.within(), 0);
@@ -523,15 +526,24 @@ impl<'a> Page<'a> {
                 }
             }
         }
-        if !stiffness.is_empty() {
+        for (names, spread) in stiffnesses {
+            let Some((typical, times)) = spread else { continue };
             let [low, high] = times.map(|factor| significant(factor, 2));
+            let [of_a, of_b] = typical.ln_sds();
+            let (many, source) = match typical {
+                TypicalStiffness::Category(_) => (
+                    "A category covers many vehicles",
+                    format!("{BARRIER_TESTS}). The tests were of fronts; the spread is used for all sides."),
+                ),
+                TypicalStiffness::Fleet => {
+                    ("The fleet has many vehicles", "docs/calibration.md).".to_owned())
+                }
+            };
             self.document.paragraph(format!(
-                "Spread by default: {}. A category covers many vehicles; A of a single one lies between {low} \
-                 and {high} times the table's value with a probability of 95 %. The standard deviation is \
-                 {STIFFNESS_LN_SD_A} for ln A and {STIFFNESS_LN_SD_B} for ln B, which vary together, and G \
-                 with them ({BARRIER_TESTS}). The tests were of fronts; the spread is used for all sides. \
-                 {SWITCH_OFF}",
-                stiffness.join("; ")
+                "Spread by default: {}. {many}; A of a single one lies between {low} and {high} times the table's value \
+                 with a probability of 95 %. The standard deviation is {of_a} for ln A and {of_b} for ln B, which vary \
+                 together, and G with them ({source} {SWITCH_OFF}",
+                names.join("; ")
             ));
         }
         if !yaw_radius.is_empty() {

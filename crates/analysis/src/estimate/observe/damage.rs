@@ -4,13 +4,15 @@ use crash3::Side;
 use evidence::{
     Behind, CodedPdof, CrushErrors, CrushFigures, DamagedSide, EnergyError, EnergyMethod, FITTED,
 };
-use inputs::{Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData, table};
+use inputs::{
+    Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, TypicalStiffness, VehicleData, table,
+};
 use pim_core::VehicleId;
 use real::Real;
 
 use super::{DEGREE, Subject};
 use crate::damage::assess;
-use crate::errors::{category_misfit, is_with_object};
+use crate::errors::{is_with_object, misfit};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::uncertainty::UncertainInput;
 
@@ -109,7 +111,8 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
         }
         let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
             StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
-            StiffnessForm::Category(_) => EnergyMethod::Class,
+            StiffnessForm::Typical(TypicalStiffness::Category(_)) => EnergyMethod::Class,
+            StiffnessForm::Typical(TypicalStiffness::Fleet) => EnergyMethod::Fleet,
             StiffnessForm::Test(_) => EnergyMethod::Test,
         });
         let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
@@ -129,9 +132,10 @@ pub(super) fn crush_errors(
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
-    let misfit = category_misfit(case, hit);
+    let is_by_category = methods.contains(&Some(EnergyMethod::Class));
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
+        let misfit = misfit(case, hit, method == EnergyMethod::Class);
         let has_range = ranges.iter().any(|range| {
             let key = range.input.path.strip_prefix(table(id)).unwrap_or_default();
             let of_energy = [".crush.stiffness", ".crush.ees", ".deformation_energy"];
@@ -156,11 +160,11 @@ pub(super) fn crush_errors(
             let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
             CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
         }
-        [None, None] => misfit.into(),
+        [None, None] => misfit(case, hit, is_by_category).into(),
     };
-    // Only the misfit of a category was fitted.
+    // Only the misfit of a typical stiffness was fitted.
     let behind = |method: Option<EnergyMethod>| match method {
-        Some(EnergyMethod::Class) => {
+        Some(EnergyMethod::Class | EnergyMethod::Fleet) => {
             Behind::Misfit { bias: given.crush_bias.is_none(), spread: given.crush_error.is_none() }
         }
         _ => Behind::Nothing,
@@ -169,7 +173,7 @@ pub(super) fn crush_errors(
         [Some(_), Some(_)] => methods.map(behind),
         [known, None] | [None, known] => [behind(known); 2],
     };
-    let fitted = FITTED.by_category(hit);
+    let fitted = if is_by_category { FITTED.by_category(hit) } else { FITTED };
     let figures = if is_with_object(case, hit) {
         fitted.objects.figures(behind)
     } else {

@@ -232,6 +232,7 @@ fn conventions(ledger: &mut Ledger) {
 
 fn crush(ledger: &mut Ledger) {
     ledger.page("docs/guide/crush.md");
+    ledger.quoted("cars of 1991 to 2018", &page("docs/calibration.md"), "crashes are of 1991 to 2018");
     let [least, most] = bounds("category");
     ledger.made(format!("| CRASH3's category, {least} to {most} |"));
     ledger.cited("the … 1970s", "the age of the crash tests behind CRASH3's table");
@@ -278,7 +279,10 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted(&format!("{sides} % where a side was hit"), &guide, "45 % where a side was hit");
     ledger.quoted(&format!("{rears} % where a rear was hit"), &guide, "87 % where a rear was hit");
     let fleet = number(100.0 * evidence::FITTED.crush_shown(), 0);
-    ledger.made(format!("by barrier tests, energies were on average {fleet} %"));
+    ledger.made(format!("the stiffness of the fleet (`) were {fleet} %"));
+    let of_object = number(100.0 * evidence::FITTED.objects.misfit.bias.exp(), 0);
+    ledger.made(format!("of the fleet, {of_object} %"));
+    ledger.quoted("crushed 45 cm", &page("docs/calibration.md"), "deepest crush was 45 cm or more");
     ledger.quoted("older car … 1977", &page("docs/theory.md"), "(year − 1977)/(2010 − 1977)");
     let misfit = evidence::FITTED.objects.misfit;
     let deformation_energy =
@@ -298,6 +302,7 @@ fn estimate(ledger: &mut Ledger) {
 
 fn how_do_i(ledger: &mut Ledger) {
     ledger.page("docs/guide/how-do-i.md");
+    ledger.quoted("car of 1991", &page("docs/calibration.md"), "crashes are of 1991 to 2018");
     // The six depths of the Jimmy, and their average by trapezoids instead.
     let text = page("fixtures/sae-980025.toml").text;
     let depths = [21.3, 20.3, 13.8, 11.3, 5.3, 4.8];

@@ -313,6 +313,12 @@ fn warnings(ledger: &mut Ledger) {
         of(evidence::DamagedSide::Rear),
         share(&object, |fitted| fitted.objects.misfit.bias)
     ));
+    let fleet = share(&evidence::FITTED, |fitted| fitted.crush_bias);
+    let of_object = share(&evidence::FITTED, |fitted| fitted.objects.misfit.bias);
+    ledger.quoted("cars of 1991 to 2018", &page("docs/calibration.md"), "crashes are of 1991 to 2018");
+    ledger.made(format!("Energies from it are on average {fleet} % … ({of_object} % against"));
+    ledger.cited("recorders of crashes of 2017, such", "the data of docs/calibration.md");
+    ledger.made(format!("such energies were on average {fleet} % … {of_object} % where a front"));
     ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
     ledger.made(format!("hour of the clock by more … {:.0}°", (clock(2) - clock(1)) / 2.0));
     ledger.made(format!("more than … {:.0}° for each", (clock(2) - clock(1)) / 2.0));

@@ -1,6 +1,6 @@
 //! A, B and G from the stiffness in the file.
 
-use case::{StiffnessForm, StiffnessLine};
+use case::{StiffnessForm, StiffnessLine, TypicalStiffness};
 use crash3::{SideStiffness, Stiffness};
 use pim_core::VehicleId;
 
@@ -9,8 +9,8 @@ use super::barrier_test;
 
 pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: VehicleId) -> Vec<Draft> {
     match (structure, form) {
-        (SideStiffness::Uniform(stiffness), StiffnessForm::Category(category)) => {
-            of_category(stiffness, *category, i)
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Typical(typical)) => {
+            of_typical(stiffness, *typical, i)
         }
         (SideStiffness::Uniform(stiffness), StiffnessForm::Test(test)) => {
             barrier_test::steps(stiffness, test, i)
@@ -63,12 +63,18 @@ fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) ->
     steps
 }
 
-/// A, B and G from CRASH3's table.
-fn of_category(stiffness: &Stiffness, category: u8, i: VehicleId) -> Vec<Draft> {
+/// A, B and G from a table.
+fn of_typical(stiffness: &Stiffness, typical: TypicalStiffness, i: VehicleId) -> Vec<Draft> {
+    let (from, source) = match typical {
+        TypicalStiffness::Category(category) => {
+            (format!("from category {category} of CRASH3's table"), "SAE 870045, Table 1")
+        }
+        TypicalStiffness::Fleet => ("of the fleet".to_owned(), "docs/calibration.md"),
+    };
     [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
         .map(|(what, value, unit)| {
-            let name = format!("stiffness {what} of vehicle {i}, from category {category} of CRASH3's table");
-            step(name, format!("{what}_{i}"), (value, unit), "SAE 870045, Table 1")
+            let name = format!("stiffness {what} of vehicle {i}, {from}");
+            step(name, format!("{what}_{i}"), (value, unit), source)
         })
         .into()
 }
