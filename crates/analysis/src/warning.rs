@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use crash3::{EnergyBasis, Side, principal_angle};
 use evidence::{EnergyMethod, FITTED};
 use inputs::{
-    After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Origin, Quantity, StiffnessForm,
-    StiffnessSource, TypicalStiffness, Unit, Variable, VehicleKind, Velocity, YawSource,
+    After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Input, Origin, Quantity,
+    StiffnessForm, StiffnessSource, TypicalStiffness, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Real, Regime, Switch, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -62,6 +62,8 @@ const LARGE_RATIO: f64 = 1.0;
 const USUAL_TEST_SPEED: [f64; 2] = [2.0, 100.0 / 3.6];
 /// Between vehicles 0.3 to 1.0 is observed, and less if they are wet or the surfaces are smooth.
 const USUAL_FRICTION: [f64; 2] = [0.1, 1.0];
+/// Between tyre and ground: smooth ice above 30 mph, and new dry asphalt or concrete below (EDCRASH manual).
+const USUAL_GROUND_FRICTION: [f64; 2] = [0.07, 1.2];
 /// A full turn, with a tolerance for rounding.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
@@ -490,6 +492,15 @@ pub enum Warning {
         /// The limit.
         friction: f64,
     },
+    /// A friction that is unusual between tyre and ground.
+    GroundFriction {
+        /// The key, such as `surface.friction`.
+        path: String,
+        /// (–) the friction.
+        friction: f64,
+        /// (–) the least and the greatest usual one.
+        usual: [f64; 2],
+    },
     /// An angle of more than a full turn.
     LargeAngle {
         /// The key, such as `vehicle1.heading`.
@@ -636,6 +647,7 @@ impl Warning {
         HighNoDamageSpeed { vehicle } => "high-no-damage-speed",
         LowNoDamageSpeed { vehicle } => "low-no-damage-speed",
         UnusualFriction => "unusual-friction",
+        GroundFriction => "ground-friction",
         LargeAngle => "large-angle",
         NoResidualCrush { vehicle } => "no-residual-crush",
         ObjectPassed { vehicle } => "object-passed",
@@ -942,6 +954,21 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     {
         warnings.push(Warning::UnusualFriction { friction });
     }
+    let usual = USUAL_GROUND_FRICTION;
+    let unusual = case.variables_where(|Variable { number, unit, origin, .. }| {
+        unit.is_none() && *origin == Origin::Given && !is_usual(*number, usual)
+    });
+    let is_of_ground = |path: &str| {
+        let ends = [".after.friction", ".before.skid.friction"];
+        let is_of_surface = path.starts_with("surface.") && path.ends_with(".friction");
+        is_of_surface || ends.into_iter().any(|end| path.ends_with(end))
+    };
+    let of_ground = unusual.into_iter().filter(|(_, input)| is_of_ground(&input.path));
+    warnings.extend(of_ground.map(|(_, Input { path, number: friction, .. })| Warning::GroundFriction {
+        path,
+        friction,
+        usual,
+    }));
 }
 
 impl From<UncertainRecord> for Warning {

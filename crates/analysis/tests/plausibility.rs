@@ -791,6 +791,37 @@ fn a_friction_limit_that_vehicles_have_not() {
     }
 }
 
+/// EDCRASH manual: smooth ice has 0.07 and more, new dry asphalt up to 1.2.
+#[test]
+fn a_friction_that_no_ground_has() {
+    let text = include_str!("../../../fixtures/rear-end-rest.toml");
+    let own = "[vehicle1.after]\n";
+    let skid = "skid = { length = \"8 m\"";
+    assert!(text.contains("friction = 0.7\n") && text.contains(own) && text.contains(skid));
+    for (friction, is_unusual) in [(0.069, true), (0.071, false), (1.19, false), (1.21, true), (0.001, true)]
+    {
+        for (path, text) in [
+            ("surface.friction", text.replace("friction = 0.7\n", &format!("friction = {friction:?}\n"))),
+            ("vehicle1.after.friction", text.replace(own, &format!("{own}friction = {friction:?}\n"))),
+            (
+                "vehicle1.before.skid.friction",
+                text.replace(skid, &format!("{skid}, friction = {friction:?}")),
+            ),
+        ] {
+            let judged = analysis::judge(&parsed(&text)).warnings;
+            let of = |warning: &Warning| match warning {
+                Warning::GroundFriction { path, friction, usual: [0.07, 1.2] } => {
+                    Some((path.clone(), *friction))
+                }
+                _ => None,
+            };
+            let found: Vec<(String, f64)> = judged.iter().filter_map(of).collect();
+            let expected = if is_unusual { vec![(path.to_owned(), friction)] } else { Vec::new() };
+            assert_eq!(found, expected);
+        }
+    }
+}
+
 /// A speed that is given although it is sought is not used, whatever its sign.
 #[test]
 fn a_speed_that_is_given_backwards() {

@@ -376,6 +376,32 @@ fn written_out([a1, k1, a2, k2]: [f64; 4]) -> String {
         .replace("class   = 3", &format!("yaw_radius = \"{} in\"", 3324.0_f64.sqrt() * k2))
 }
 
+/// Sample by sample, the same with the stiffness of the fleet: docs/theory.md, section 9. A = 1000 b₀ b₁, B =
+/// 1000 b₁² with b₀ = 2.22 m/s and b₁ = 27.7 1/s of a front, 1.58 and 31.1 of a side.
+#[test]
+fn a_spread_of_the_fleet_is_a_factor_on_its_stiffness() {
+    let fleet = CATEGORIES.replace("{ category = 4 }", "\"fleet\"").replace("{ category = 2 }", "\"fleet\"");
+    let result = run(&fleet, 64);
+    let columns = first_block(&result);
+    for lane in [0, 5, 31, 63] {
+        let [speed, a1, k1, a2, k2] = [0, 1, 2, 3, 4].map(|input| columns[input][lane]);
+        let stiffness = |factor: f64, [b0, b1]: [f64; 2]| {
+            let z = factor.ln() / 0.40;
+            let (a, b) = (1000.0 * b0 * b1 * (0.40 * z).exp(), 1000.0 * b1 * b1 * (0.30 * z).exp());
+            format!("stiffness = {{ A = \"{a} N/m\", B = \"{b} N/m^2\" }}")
+        };
+        let text = fleet
+            .replacen("stiffness = \"fleet\"", &stiffness(a1, [2.22, 27.7]), 1)
+            .replacen("stiffness = \"fleet\"", &stiffness(a2, [1.58, 31.1]), 1)
+            .replace("class   = 4", &format!("yaw_radius = \"{} in\"", 3741.0_f64.sqrt() * k1))
+            .replace("class   = 3", &format!("yaw_radius = \"{} in\"", 3324.0_f64.sqrt() * k2))
+            .replace("{ value = \"25 mph\", sd = \"1.5 mph\" }", &format!("\"{speed} mph\""));
+        let expected = reconstruct(&read(&text)).unwrap().found.unwrap().speed;
+        let found = result.propagation.columns()[0][lane];
+        assert!((found / expected - 1.0).abs() < 1e-9, "{lane}: {found} {expected}");
+    }
+}
+
 /// Sample by sample: the spread of a table has the same effect as the same numbers given in the file.
 #[test]
 fn a_spread_of_a_table_is_a_factor_on_what_the_table_gives() {

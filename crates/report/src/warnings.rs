@@ -693,6 +693,10 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             "the friction limit is {friction}, but 0.3 to 1.0 is usual between vehicles; check the decimal \
              point, and that it is neither an angle nor a percentage"
         ),
+        Warning::GroundFriction { path, friction, usual: [low, high] } => format!(
+            "the friction of the ground `{path}` is {friction}, but {low} (smooth ice) to {high} (new dry asphalt) is usual; \
+             check the decimal point"
+        ),
         Warning::LargeAngle { path, turns, in_degrees } => format!(
             "the angle `{path}` is {} full turns; {}",
             number(*turns, 1),

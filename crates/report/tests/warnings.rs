@@ -286,6 +286,9 @@ fn units_and_keys_to_check_are_named() {
         Axes::ZUp,
         &["friction limit is 45,", "0.3 to 1.0", "percentage"],
     );
+    let ground =
+        Warning::GroundFriction { path: "surface.friction".to_owned(), friction: 0.01, usual: [0.07, 1.2] };
+    says(&ground, Axes::ZUp, &["`surface.friction` is 0.01,", "0.07 (smooth ice) to 1.2", "decimal point"]);
     let angle =
         |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };
     says(&angle(false), Axes::ZUp, &["`vehicle2.heading` is 12.7 full turns", "did you mean deg?"]);

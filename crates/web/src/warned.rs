@@ -15,7 +15,9 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::RotationDriven { .. } => return vec!["impact.moment_restitution".to_owned()],
         Warning::SeveralSpeeds { .. } => return vec!["reconstruct.find".to_owned()],
         Warning::NotLocked { .. } => return vec!["scene.locked_together".to_owned()],
-        Warning::LargeAngle { path, .. } | Warning::HangsOnAngle { path, .. } => return vec![path.clone()],
+        Warning::LargeAngle { path, .. }
+        | Warning::HangsOnAngle { path, .. }
+        | Warning::GroundFriction { path, .. } => return vec![path.clone()],
         Warning::ContactOutside { .. }
         | Warning::ContactPlaced { .. }
         | Warning::ContactOffDamage { .. }

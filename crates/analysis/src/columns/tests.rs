@@ -9,7 +9,7 @@ pub(crate) struct AnyCase {
 }
 
 /// All forms that there are.
-pub(crate) const FORMS: [&str; 40] = [
+pub(crate) const FORMS: [&str; 41] = [
     "mass",
     "weight",
     "yaw inertia",
@@ -36,6 +36,7 @@ pub(crate) const FORMS: [&str; 40] = [
     "d0, d1 and G",
     "zones",
     "category",
+    "fleet",
     "test",
     "EES",
     "no damage",
@@ -116,7 +117,8 @@ impl Dice {
                 1.0 + 20.0 * self.share
             ),
         };
-        let stiffness = match self.one_of(&["line", "zones", "category", "test"]) {
+        let form = self.one_of(&["line", "zones", "category", "fleet", "test"]);
+        let stiffness = match form {
             "line" => {
                 let form = self.one_of(&LINES);
                 self.line(form)
@@ -141,7 +143,8 @@ impl Dice {
         };
         let offset =
             if is_placed { format!("offset = {}\n", self.range(-0.2, 0.2, "m")) } else { String::new() };
-        format!("side = \"{side}\"\n{width}\ndepths = {depths}\nstiffness = {{ {stiffness} }}\n{offset}")
+        let stiffness = if form == "fleet" { "\"fleet\"".to_owned() } else { format!("{{ {stiffness} }}") };
+        format!("side = \"{side}\"\n{width}\ndepths = {depths}\nstiffness = {stiffness}\n{offset}")
     }
 
     /// A vehicle that moves.

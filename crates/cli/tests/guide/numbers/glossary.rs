@@ -342,6 +342,15 @@ fn warnings(ledger: &mut Ledger) {
         number(analysis::LEAST_BY_DEGREE, 0)
     ));
     ledger.made(format!("|μ| is above {}:", large_ratio()));
+    let slipped = page("fixtures/rear-end-rest.toml").text.replace("friction = 0.7", "friction = 1.9");
+    let judged = analysis::judge(&CaseFile::parse("ground.toml", &slipped).unwrap().case).warnings;
+    let usual = judged.iter().find_map(|warning| match warning {
+        Warning::GroundFriction { usual, .. } => Some(usual.map(|bound| bound.to_string())),
+        _ => None,
+    });
+    let [least, most] = usual.unwrap();
+    ledger.made(format!("ground is below {least} or above {most}."));
+    ledger.cited("has 0.07 to 0.25, dry asphalt 0.55 to 1.2", "the table of friction in the EDCRASH manual");
     let friction =
         |mu: f64| is_warned("unusual-friction", &skid(1.0, &format!("{{ friction = {mu:?} }}"), ""));
     ledger.made(format!(
