@@ -1,7 +1,7 @@
 //! The errors of the evidence of momentum and of crush.
 
-use evidence::{CrushMisfit, DamagedSide, FITTED};
-use inputs::{Case, GivenVehicle};
+use evidence::{CrushMisfit, DamagedSide, EnergyMethod, FITTED, Fitted};
+use inputs::{Case, GivenVehicle, TypicalStiffness};
 use reconcile::EvidenceErrors;
 
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
@@ -17,10 +17,23 @@ pub(crate) fn damaged_sides(case: &Case) -> Vec<DamagedSide> {
     case.vehicles.iter().filter_map(GivenVehicle::damaged_side).map(DamagedSide::from).collect()
 }
 
-/// The misfit between the impact and crush energies by a category of stiffness, or by the stiffness of the
-/// fleet, where these sides were `hit`.
-pub(crate) fn misfit(case: &Case, hit: &[DamagedSide], is_by_category: bool) -> CrushMisfit {
-    let fitted = if is_by_category { FITTED.by_category(hit) } else { FITTED };
+/// How a crush energy by a typical stiffness was obtained.
+pub(crate) fn method_of(typical: TypicalStiffness) -> EnergyMethod {
+    match typical {
+        TypicalStiffness::Category(_) => EnergyMethod::Class,
+        TypicalStiffness::Fleet => EnergyMethod::Fleet,
+    }
+}
+
+/// The figures of crush energies that were obtained in this way, where these sides were `hit`: those by a
+/// category have a misfit of their own.
+pub(crate) fn fitted(method: Option<EnergyMethod>, hit: &[DamagedSide]) -> Fitted {
+    if method == Some(EnergyMethod::Class) { FITTED.by_category(hit) } else { FITTED }
+}
+
+/// The misfit between the impact and such crush energies.
+pub(crate) fn misfit(case: &Case, method: Option<EnergyMethod>, hit: &[DamagedSide]) -> CrushMisfit {
+    let fitted = fitted(method, hit);
     if is_with_object(case, hit) { fitted.objects.misfit } else { fitted.crush_misfit(hit) }
 }
 

@@ -532,7 +532,7 @@ fn of_crush(
         StiffnessForm::Zones(zones) => zones.iter().any(has_no_g),
         StiffnessForm::Typical(_) | StiffnessForm::Test(_) => false,
     };
-    if let StiffnessForm::Typical(typical) = crush.stiffness
+    if let Some(typical) = crush.stiffness.typical()
         && let Ok(stiffness) = typical.stiffness::<f64>(crush.side)
     {
         let abg = [stiffness.a(), stiffness.b(), stiffness.g()];

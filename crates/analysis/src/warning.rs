@@ -6,7 +6,7 @@ use crash3::{EnergyBasis, Side, principal_angle};
 use evidence::{EnergyMethod, FITTED};
 use inputs::{
     After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Input, Origin, Quantity,
-    StiffnessForm, StiffnessSource, TypicalStiffness, Unit, Variable, VehicleKind, Velocity, YawSource,
+    StiffnessForm, StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Real, Regime, Switch, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -14,7 +14,7 @@ use real::elementary::sin_cos;
 use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
-use crate::errors::{damaged_sides, misfit};
+use crate::errors::{damaged_sides, method_of, misfit};
 use crate::evident::Evident;
 use crate::exchange::Exchange;
 use crate::found::Found;
@@ -722,30 +722,28 @@ pub(crate) fn of_typical(case: &Case, vehicles: &[Vehicle; 2]) -> Vec<Warning> {
         return Vec::new();
     }
     let is_alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let warning = |is_by_category: bool| {
+    let warning = |method: EnergyMethod| {
         let of = vehicles.each_ref().map(|vehicle| {
-            let data = vehicle.subject.damage.as_ref();
-            data.is_some_and(|data| match data.stiffness_source {
-                StiffnessSource::Typical(typical) => is_by_category == (typical != TypicalStiffness::Fleet),
-                _ => false,
-            })
+            let source = vehicle.subject.damage.as_ref().map(|data| data.stiffness_source);
+            matches!(source, Some(StiffnessSource::Typical(typical)) if method_of(typical) == method)
         });
-        let method = if is_by_category { EnergyMethod::Class } else { EnergyMethod::Fleet };
-        let misfit = misfit(case, &damaged_sides(case), is_by_category);
         let years = || {
             case.vehicles.iter().zip(of).filter_map(|(vehicle, is_of)| is_of.then_some(vehicle.model_year))
         };
+        let misfit = misfit(case, Some(method), &damaged_sides(case));
         let bias = |year| FITTED.energy_error(method, misfit, year, false).bias;
         // The energy of the car that differs more from its kind.
         let bias = years().map(bias).fold(0.0, f64::min);
         let share = real::elementary::exp(bias);
-        let is_year_assumed = years().any(|year| year.is_none());
-        (bias < 0.0).then_some(match is_by_category {
-            true => Warning::CategoryEnergy { of, share, is_alone, is_year_assumed },
-            false => Warning::FleetEnergy { of, share, is_alone },
+        (bias < 0.0).then(|| match method {
+            EnergyMethod::Fleet => Warning::FleetEnergy { of, share, is_alone },
+            _ => {
+                let is_year_assumed = years().any(|year| year.is_none());
+                Warning::CategoryEnergy { of, share, is_alone, is_year_assumed }
+            }
         })
     };
-    [true, false].into_iter().filter_map(warning).collect()
+    [EnergyMethod::Class, EnergyMethod::Fleet].into_iter().filter_map(warning).collect()
 }
 
 /// Warnings about a speed (m/s) that was found.

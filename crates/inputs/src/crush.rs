@@ -186,6 +186,14 @@ choices! {
     }
 }
 
+impl<T> StiffnessForm<T> {
+    /// That of many cars, if it is that.
+    #[must_use]
+    pub fn typical(&self) -> Option<TypicalStiffness> {
+        if let Self::Typical(typical) = self { Some(*typical) } else { None }
+    }
+}
+
 impl<T: Copy> StiffnessForm<T> {
     /// The same with other numbers; `number` is called once for each.
     #[must_use]

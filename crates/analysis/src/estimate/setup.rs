@@ -25,7 +25,7 @@ use super::of_number;
 use super::outputs;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
-use crate::errors::is_with_object;
+use crate::errors::{fitted, is_with_object};
 use crate::failure::Failure;
 use crate::given::{certain_limits, speed_limits, with_sideslip};
 use crate::normal_force::reference;
@@ -198,9 +198,8 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let other_crush = match crushed {
         Crushed::Of(known) => {
             let [known, other] = [known, known.other()].map(|id| (id, damage(id, &nominal, reference)));
-            let is_by_category = energies(crushed, &case)[known.0.index()] == Some(EnergyMethod::Class);
-            let fitted = if is_by_category { FITTED.by_category(&[known.1, other.1]) } else { FITTED };
-            let prior = fitted.other_crush(other.1, known.1);
+            let method = energies(crushed, &case)[known.0.index()];
+            let prior = fitted(method, &[known.1, other.1]).other_crush(other.1, known.1);
             let key = format!("{}.crush_by_{}", table(other.0), table(known.0));
             let ratio = unknowns.assumed(&key, prior, Assumed::OtherCrush)?;
             Some(OtherCrush { vehicle: other.0, ratio })

@@ -348,7 +348,7 @@ impl<'t> Reader<'t> {
             let fleet = [(FLEET_STIFFNESS, TypicalStiffness::Fleet)];
             return self.choice_among(crush, "stiffness", &fleet, FORMS).map(StiffnessForm::Typical);
         }
-        let table = self.inline(crush, "stiffness", FORMS)?;
+        let table = self.inline_or(crush, "stiffness", "\"fleet\" or a table in braces", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
                 let place = Place {

@@ -3,7 +3,6 @@
 use pim_core::VehicleId;
 
 use super::Case;
-use crate::crush::StiffnessForm;
 use crate::estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, OFFSET_SD, YawSource,
 };
@@ -15,10 +14,7 @@ impl<T: Copy + From<f64>> Case<T> {
     pub fn estimates(&self) -> Vec<EstimatedInput> {
         let of = |vehicle: VehicleId| {
             let given = &self.vehicles[vehicle.index()];
-            let typical = given.crush.as_ref().and_then(|crush| match crush.stiffness {
-                StiffnessForm::Typical(typical) => Some(typical),
-                _ => None,
-            });
+            let typical = given.crush.as_ref().and_then(|crush| crush.stiffness.typical());
             let source = given
                 .yaw_form(T::from(1.0))
                 .map(|yaw| yaw.source())

@@ -4,7 +4,6 @@ use pim_core::VehicleId;
 
 use super::table;
 use crate::case::Find;
-use crate::crush::StiffnessForm;
 use crate::estimate::TypicalStiffness;
 use crate::fault::Fault;
 use crate::recorder::CertainSpeed;
@@ -64,11 +63,7 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
                 "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front",
             );
         }
-        let typical = vehicle.crush.as_ref().and_then(|crush| match crush.stiffness {
-            StiffnessForm::Typical(typical) => Some(typical),
-            _ => None,
-        });
-        let (key, what) = match typical {
+        let (key, what) = match vehicle.crush.as_ref().and_then(|crush| crush.stiffness.typical()) {
             Some(TypicalStiffness::Category(_)) => {
                 ("crush.stiffness.category", "CRASH3's stiffness categories are for passenger cars")
             }

@@ -536,8 +536,8 @@ impl<'a> Page<'a> {
         if is_judged {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
-                 others. A dash marks a run that has not converged. A bound has no p-value, and neither have the points of \
-                 a path: if a rest disagrees, check the points of its path, too. ",
+                 others. A dash marks a run that has not converged. Bounds and the points of a path have no \
+                 p-value: if a rest disagrees, check the points of its path, too. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("A dash marks what only a run without the piece can show. ");

@@ -530,19 +530,21 @@ impl<'a> Page<'a> {
             let Some((typical, times)) = spread else { continue };
             let [low, high] = times.map(|factor| significant(factor, 2));
             let [of_a, of_b] = typical.ln_sds();
-            let (many, source) = match typical {
+            let (many, its, source, remark) = match typical {
                 TypicalStiffness::Category(_) => (
                     "A category covers many vehicles",
-                    format!("{BARRIER_TESTS}). The tests were of fronts; the spread is used for all sides."),
+                    "the table's value",
+                    BARRIER_TESTS,
+                    " The tests were of fronts; the spread is used for all sides.",
                 ),
                 TypicalStiffness::Fleet => {
-                    ("The fleet has many vehicles", "docs/calibration.md).".to_owned())
+                    ("The fleet covers all makes", "that of the fleet", "docs/calibration.md", "")
                 }
             };
             self.document.paragraph(format!(
-                "Spread by default: {}. {many}; A of a single one lies between {low} and {high} times the table's value \
-                 with a probability of 95 %. The standard deviation is {of_a} for ln A and {of_b} for ln B, which vary \
-                 together, and G with them ({source} {SWITCH_OFF}",
+                "Spread by default: {}. {many}; A of a single one lies between {low} and {high} times {its} with a \
+                 probability of 95 %. The standard deviation is {of_a} for ln A and {of_b} for ln B, which vary together, \
+                 and G with them ({source}).{remark} {SWITCH_OFF}",
                 names.join("; ")
             ));
         }

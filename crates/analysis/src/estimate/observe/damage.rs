@@ -4,15 +4,13 @@ use crash3::Side;
 use evidence::{
     Behind, CodedPdof, CrushErrors, CrushFigures, DamagedSide, EnergyError, EnergyMethod, FITTED,
 };
-use inputs::{
-    Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, TypicalStiffness, VehicleData, table,
-};
+use inputs::{Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData, table};
 use pim_core::VehicleId;
 use real::Real;
 
 use super::{DEGREE, Subject};
 use crate::damage::assess;
-use crate::errors::{is_with_object, misfit};
+use crate::errors::{fitted, is_with_object, method_of, misfit};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::uncertainty::UncertainInput;
 
@@ -111,8 +109,7 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
         }
         let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
             StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
-            StiffnessForm::Typical(TypicalStiffness::Category(_)) => EnergyMethod::Class,
-            StiffnessForm::Typical(TypicalStiffness::Fleet) => EnergyMethod::Fleet,
+            StiffnessForm::Typical(typical) => method_of(typical),
             StiffnessForm::Test(_) => EnergyMethod::Test,
         });
         let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
@@ -132,10 +129,11 @@ pub(super) fn crush_errors(
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
-    let is_by_category = methods.contains(&Some(EnergyMethod::Class));
+    // Of two ways, the figures of energies by a category count.
+    let counted = methods.into_iter().flatten().find(|method| *method == EnergyMethod::Class);
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
-        let misfit = misfit(case, hit, method == EnergyMethod::Class);
+        let misfit = misfit(case, Some(method), hit);
         let has_range = ranges.iter().any(|range| {
             let key = range.input.path.strip_prefix(table(id)).unwrap_or_default();
             let of_energy = [".crush.stiffness", ".crush.ees", ".deformation_energy"];
@@ -160,7 +158,7 @@ pub(super) fn crush_errors(
             let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
             CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
         }
-        [None, None] => misfit(case, hit, is_by_category).into(),
+        [None, None] => misfit(case, None, hit).into(),
     };
     // Only the misfit of a typical stiffness was fitted.
     let behind = |method: Option<EnergyMethod>| match method {
@@ -173,7 +171,7 @@ pub(super) fn crush_errors(
         [Some(_), Some(_)] => methods.map(behind),
         [known, None] | [None, known] => [behind(known); 2],
     };
-    let fitted = if is_by_category { FITTED.by_category(hit) } else { FITTED };
+    let fitted = fitted(counted, hit);
     let figures = if is_with_object(case, hit) {
         fitted.objects.figures(behind)
     } else {
