@@ -68,7 +68,8 @@ pub fn to_rests(
 /// Follows the motions of a chunk with the processor's vector instructions.
 ///
 /// Separate from [`to_rests`], which is compiled in every crate that calls it, because this takes long to
-/// compile. For the same reason SSE4.2, which gains little over SSE2, has no code of its own.
+/// compile. For the same reason x86-64 without AVX2 has no code of its own: there, the motions are followed
+/// one by one.
 fn follow_all(control: &Control, outsets: &[Outset<'_>], parked: &mut [Parked]) {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -76,8 +77,6 @@ fn follow_all(control: &Control, outsets: &[Outset<'_>], parked: &mut [Parked]) 
         if let Some(simd) = level.as_avx512() {
             follow_with(simd, control, outsets, parked);
         } else if let Some(simd) = level.as_avx2() {
-            follow_with(simd, control, outsets, parked);
-        } else if let Some(simd) = level.as_sse2() {
             follow_with(simd, control, outsets, parked);
         }
     }
