@@ -4,7 +4,7 @@ import { book } from "./book.js";
 import { h, markup, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Check, Field, Group, Problem } from "./engine.js";
-import { label, nameOf, root } from "./keys.js";
+import { isWordUsual, label, nameOf, root } from "./keys.js";
 import { inForm, inWords, said } from "./said.js";
 import { texts } from "./texts/en.js";
 import { unitFor } from "./units.js";
@@ -199,7 +199,8 @@ export class Form {
       : [];
     const isWord = typeof readValue(this.check?.values[group.key]?.text ?? "") === "string";
     const shown = [...(isWord ? word : []), ...group.fields.filter(isShown)];
-    const rest = [...group.fields.filter((field) => !isShown(field)), ...(isWord ? [] : word)];
+    const others = group.fields.filter((field) => !isShown(field));
+    const rest = isWord ? others : isWordUsual(group.key) ? [...word, ...others] : [...others, ...word];
     const groups = group.groups.filter(isShown);
     const restOfGroups = group.groups.filter((inner) => !isShown(inner));
     const elements: HTMLElement[] = [

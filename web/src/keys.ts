@@ -18,6 +18,9 @@ const ORDER: Record<string, string[]> = {
   "vehicle.after": ["rest", "points", "friction", "drag"],
 };
 
+/** Whether a word in place of this table is more usual than its other keys. */
+export const isWordUsual = (table: string) => table.endsWith(".stiffness");
+
 /** The entries of a table in that order. */
 function ordered<T extends { key: string }>(table: string, entries: T[]): T[] {
   const order = ORDER[table.replace(/^vehicle[12]/, "vehicle")] ?? [];

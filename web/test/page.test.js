@@ -822,6 +822,12 @@ onPage("labels are words: sizes have names, and a deviation in another unit is a
   assert.equal(await category.locator("option:checked").innerText(), "3: compact");
   await category.selectOption("4");
   assert.match(await caseText(page), /stiffness = \{ category = 4 \}/);
+  // The other ways to give it are folded away, the word first.
+  const stiffness = field("vehicle1.crush.stiffness").locator("details.more").first();
+  await stiffness.locator(":scope > summary").click();
+  const word = stiffness.locator(":scope > .group-body > .field").first().locator("select").first();
+  await word.selectOption({ label: "fleet: that of cars of 1991 to 2018" });
+  assert.match(await caseText(page), /^stiffness = "fleet"/m);
   // The class is that whose wheelbase is nearest: 93.2, 96.4, 104.8, 113.9, 121.1 or 125.2 in (SAE 870045, Table 2), so that it changes
   // at 94.8, 100.6, 109.35, 117.5 and 123.15 in.
   assert.deepEqual((await field("vehicle1.class").locator("option").allTextContents()).slice(1), [
