@@ -18,7 +18,8 @@ use ::uncertainty::{SamplingMethod, Settings, random};
 use crash3::Side;
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, Faults, Find,
-    GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, choices, format_number, is_of_avoid,
+    GivenDemand, GivenVehicle, OffLine, Quantity, SightForm, SpeedForm, Velocity, choices, format_number,
+    is_of_avoid,
 };
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
@@ -258,14 +259,20 @@ impl Avoidance {
         (!speed.is_told()).then_some(speed)
     }
 
-    /// (–) probability that the other vehicle was stationary, if its motion counts and the evidence leaves
-    /// that open: the central values are then those of a vehicle that moved.
+    /// (–) probability that the vehicle was stationary at the impact, if its speed is the median of the
+    /// evidence, which leaves that open: the central values are then those of a vehicle that moved.
+    #[must_use]
+    pub fn may_have_stood(&self) -> Option<f64> {
+        let told = self.told.as_ref().filter(|told| told.from == SpeedSource::Estimated)?;
+        may_have_stood(told.estimated.as_ref()?, self.vehicle)
+    }
+
+    /// (–) the same of the other vehicle, if its motion counts.
     #[must_use]
     pub fn other_may_have_stood(&self) -> Option<f64> {
-        let estimated = self.told.as_ref()?.estimated.as_ref()?;
-        let stood = estimated.stood[self.vehicle.other().index()]?.after.value;
+        let stood = may_have_stood(self.told.as_ref()?.estimated.as_ref()?, self.vehicle.other());
         let counts = self.scene.clears.is_some() || self.scene.same_line.is_some() || self.hiding.is_some();
-        (counts && !self.other_came && OPEN.contains(&stood)).then_some(stood)
+        stood.filter(|_| counts && !self.other_came)
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
@@ -499,10 +506,12 @@ impl Told {
                 ..Self::at(SpeedSource::Reconstructed, speed)
             });
         }
-        if let Some(speed) = output(vehicle) {
-            let moving =
-                estimated.as_deref().and_then(|estimated| median_if_it_moved(estimated, vehicle.other()));
-            let other = moving.or_else(|| output(vehicle.other()));
+        let moving = |of: VehicleId| {
+            let moved = estimated.as_deref().and_then(|estimated| median_if_it_moved(estimated, of));
+            moved.or_else(|| output(of))
+        };
+        if let Some(speed) = moving(vehicle) {
+            let other = moving(vehicle.other());
             let warnings = estimated.as_ref().map_or_else(Vec::new, |estimated| estimated.warnings.clone());
             let exact = leading;
             return Ok(Self { other, exact, estimated, warnings, ..Self::at(SpeedSource::Estimated, speed) });
@@ -816,11 +825,17 @@ const ALONG: f64 = 0.5 * COLLINEAR;
 /// ranges are wider.
 const CONTRADICTS: f64 = 0.25;
 
+/// (–) probability that a vehicle was stationary, if the evidence leaves that open.
+fn may_have_stood(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> {
+    let stood = estimated.stood[vehicle.index()]?.after.value;
+    OPEN.contains(&stood).then_some(stood)
+}
+
 /// (m/s) the median speed of a vehicle if it moved, where the evidence leaves open whether it did: the median
 /// of all draws may fit neither case.
 fn median_if_it_moved(estimated: &Estimated, vehicle: VehicleId) -> Option<f64> {
-    let stood = estimated.stood[vehicle.index()]?.after.value;
-    let draws = estimated.draws(SPEED.of_vehicle(vehicle)).filter(|_| OPEN.contains(&stood))?;
+    let draws =
+        may_have_stood(estimated, vehicle).and_then(|_| estimated.draws(SPEED.of_vehicle(vehicle)))?;
     let moving: Vec<f64> = draws.iter().copied().filter(|speed| *speed > 0.0).collect();
     (!moving.is_empty()).then(|| AvoidInterval::of(moving).median)
 }
@@ -1055,5 +1070,7 @@ pub fn without_source(avoid: &Avoid) -> Vec<&'static str> {
     let lacks = |(key, sourced): (&'static str, &Option<inputs::Sourced>)| {
         sourced.as_ref().filter(|sourced| sourced.source.is_none()).map(|_| key)
     };
-    given.into_iter().filter_map(lacks).collect()
+    let demand = avoid.demand.as_ref().filter(|demand| !matches!(demand, GivenDemand::Sight));
+    let demand = demand.filter(|_| avoid.demand_reason.is_none()).map(|_| "demand");
+    given.into_iter().filter_map(lacks).chain(demand).collect()
 }

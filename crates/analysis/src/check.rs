@@ -15,6 +15,9 @@ const ANGLE_ROUNDING: f64 = 1e-12;
 /// large.
 const FASTEST_TURN: f64 = 2.0 * PI;
 
+/// (–) half of what is possible: a limit as wide holds nearly every restitution of vehicles.
+const WIDEST_RESTITUTION: f64 = 0.5;
+
 /// (–) a limit of this factor or more tells nothing of two energies.
 const WIDEST_FACTOR: f64 = 4.0;
 
@@ -180,7 +183,7 @@ impl Check {
     pub fn can_fail(&self) -> bool {
         match self.quantity {
             CheckedQuantity::MomentumYawRate { .. } => self.limit < FASTEST_TURN,
-            CheckedQuantity::MomentumRestitution { .. } => self.limit < 1.0,
+            CheckedQuantity::MomentumRestitution { .. } => self.limit < WIDEST_RESTITUTION,
             CheckedQuantity::MomentumEnergy { normal_work, crush_energy, .. } => {
                 limit_factor(normal_work > crush_energy, self.limit) < WIDEST_FACTOR
             }

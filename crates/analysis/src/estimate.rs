@@ -78,6 +78,9 @@ pub struct Estimated {
     pub observed: Observed,
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub energies: [Option<EnergyMethod>; 2],
+    /// Whether the front of a vehicle met a fixed object: the errors of its energy are those of such
+    /// collisions.
+    pub is_at_object: bool,
     /// The class of real collisions on which the intervals of such estimates were tested; `None` if no such
     /// class was tested.
     pub tested: Option<&'static TestedClass>,
@@ -311,7 +314,8 @@ pub fn estimate(
         stood: assumed,
         energies,
         hit,
-        is_with_object,
+        is_at_object,
+        seeks_speed,
         warnings,
     } = setup::of(case, plan.prior)?;
     let model = CollisionModel::of(impacts, observed.clone());
@@ -329,12 +333,13 @@ pub fn estimate(
     let tested = match hit {
         _ if !is_field || !is_as_tested(case, energies) => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
-        None if is_with_object => TestedClass::of_object(energies, model.pieces()),
+        None if is_at_object && seeks_speed => TestedClass::of_object(energies, model.pieces()),
         None => None,
     };
     let mut estimated = Estimated {
         prior,
         energies,
+        is_at_object,
         tested,
         stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], impacts)),
         default_errors,

@@ -22,7 +22,7 @@ use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::speeds::BothMethod;
 use crate::vehicle::Vehicle;
-use crate::warning::{Warning, of_typical};
+use crate::warning::{EnergyShown, Warning, of_typical};
 
 impl<W> Analysis<W> {
     /// The checks that refute this exact solution: those that compare it with evidence or with what is
@@ -50,7 +50,7 @@ impl<W> Analysis<W> {
 /// with the rest: a case for momentum of point masses may lack data for that, and a rest position is no
 /// evidence if the vehicle cannot be followed to it.
 pub(crate) fn can_be_weighed(case: &Case, exact: &Analysis) -> bool {
-    let is_off = exact.energy_share().is_some() || exact.takes_bound();
+    let is_off = !exact.energies_shown().is_empty() || exact.takes_bound();
     if exact.left_aside.is_empty() && !is_off {
         return false;
     }
@@ -79,9 +79,8 @@ pub struct WhyNotExact {
     /// Whether evidence that it does not use contradicts it, or a vehicle would be faster backward than any
     /// that backs.
     pub is_contradicted: bool,
-    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct
-    /// them.
-    pub energy_share: Option<f64>,
+    /// How much its crush energies show on average, if it does not correct them.
+    pub energies_shown: Vec<EnergyShown>,
     /// Whether it takes the energy at which residual crush begins for that of the impact, although no vehicle
     /// has any.
     pub takes_bound: bool,
@@ -105,11 +104,11 @@ impl Analysis {
         }
     }
 
-    /// (–) the average share of the impact's energy that crush energies by a typical stiffness show, if
-    /// this solution depends on some; it takes them as they are.
+    /// How much crush energies by a typical stiffness show on average, if this solution depends on some; it
+    /// takes them as they are.
     #[must_use]
-    pub fn energy_share(&self) -> Option<f64> {
-        self.warnings.iter().find_map(Warning::energy_share)
+    pub fn energies_shown(&self) -> Vec<EnergyShown> {
+        self.warnings.iter().filter_map(Warning::energy_shown).collect()
     }
 
     /// Whether it depends on the crush energy of vehicles without residual crush, which is only an upper
@@ -144,7 +143,7 @@ impl Analysis {
             left_aside: self.left_aside.clone(),
             refuted_by: refuted.copied().collect(),
             is_contradicted: self.warnings.iter().any(differs),
-            energy_share: self.energy_share(),
+            energies_shown: self.energies_shown(),
             takes_bound: self.takes_bound(),
         };
         let is_refuted = why.is_contradicted || !why.refuted_by.is_empty();
@@ -180,9 +179,8 @@ pub struct Solution {
     pub outside: [[bool; 2]; 2],
     /// (m/s) the given speeds from which these differ.
     pub differs_from: [Option<f64>; 2],
-    /// (–) the average share of the impact's energy that its crush energies show, if it does not correct
-    /// them.
-    pub energy_share: Option<f64>,
+    /// How much its crush energies show on average, if it does not correct them.
+    pub energies_shown: Vec<EnergyShown>,
     /// Whether it takes a PDOF as exact that all the other evidence contradicts.
     pub has_wrong_pdof: bool,
     /// Its checks that fail, only for the solution that the analysis details.
@@ -268,9 +266,9 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
     solutions
 }
 
-/// (–) the average share of the impact's energy that the crush energies of a case show, if that is known.
-fn energy_share(case: &Case, exact: &Analysis) -> Option<f64> {
-    of_typical(case, &exact.vehicles).iter().find_map(Warning::energy_share)
+/// How much the crush energies of a case show on average, if that is known.
+fn energies_shown(case: &Case, exact: &Analysis) -> Vec<EnergyShown> {
+    of_typical(case, &exact.vehicles).iter().filter_map(Warning::energy_shown).collect()
 }
 
 /// (–) of a given speed, or of 1 m/s if that is greater: a smaller difference is rounding in the case.
@@ -305,7 +303,7 @@ impl Found {
             let (found, given) = (speeds[id.index()]?, GivenSpeed::of_known(case, id)?.speed);
             ((found - given).abs() > SAME_SPEED * given.abs().max(1.0)).then_some(given)
         });
-        let energy_share = energy_share(case, exact).filter(|_| self.by.is_by_damage());
+        let energies_shown = if self.by.is_by_damage() { energies_shown(case, exact) } else { Vec::new() };
         let takes_pdof = matches!(self.by, EvidenceMethod::Crash3 { pdof_is_given: true });
         let contradicting = estimated.with_agreement(Agreement::Contradicts);
         let has_wrong_pdof = takes_pdof && contradicting.iter().any(|key| key.ends_with(".crush.pdof"));
@@ -316,7 +314,7 @@ impl Found {
             delta_v,
             outside,
             differs_from,
-            energy_share,
+            energies_shown,
             has_wrong_pdof,
             failed,
             is_detailed,

@@ -123,4 +123,4 @@ pub use thresholds::{
 };
 pub use travel::{ClosedForm, Pass, SolvedSkid, THREAD_STACK, Travel, TravelOrigin, UNLIKELY_TURN};
 pub use vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
-pub use warning::{Drive, JumpSide, Magnitude, Warning};
+pub use warning::{Drive, EnergyShown, JumpSide, Magnitude, Warning};

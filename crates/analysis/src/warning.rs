@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use crash3::{EnergyBasis, Side, principal_angle};
-use evidence::{EnergyMethod, FITTED};
+use evidence::{EnergyMethod, FITTED, FLEET_YEARS};
 use inputs::{
     After, Basis, Case, ContactSpread, Dimension, FaceAxis, GivenVehicle, Input, Origin, Quantity,
-    StiffnessForm, StiffnessSource, Unit, Variable, VehicleKind, Velocity, YawSource,
+    StiffnessForm, StiffnessSource, TypicalStiffness, Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Real, Regime, Switch, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -487,6 +487,16 @@ pub enum Warning {
         /// The source of the stiffness.
         source: StiffnessSource,
     },
+    /// The stiffness of the fleet is used for a vehicle or a damage to which it was not fitted.
+    UnlikeFleet {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// Its model year, if that is not one of the fleet.
+        model_year: Option<u16>,
+        /// (m) the width of the depths, and that of the damaged end, if the depths leave a large part of it
+        /// out.
+        widths: Option<[f64; 2]>,
+    },
     /// A friction limit that is unusual between vehicles.
     UnusualFriction {
         /// The limit.
@@ -646,6 +656,7 @@ impl Warning {
         Implausible { vehicle } => "implausible",
         HighNoDamageSpeed { vehicle } => "high-no-damage-speed",
         LowNoDamageSpeed { vehicle } => "low-no-damage-speed",
+        UnlikeFleet { vehicle } => "unlike-fleet",
         UnusualFriction => "unusual-friction",
         GroundFriction => "ground-friction",
         LargeAngle => "large-angle",
@@ -653,11 +664,13 @@ impl Warning {
         ObjectPassed { vehicle } => "object-passed",
     }
 
-    /// (–) the average share of the impact's energy that crush energies show, if that is what it says.
+    /// How much of the impact's energy crush energies show on average, if that is what it says.
     #[must_use]
-    pub fn energy_share(&self) -> Option<f64> {
-        match self {
-            Self::CategoryEnergy { share, .. } | Self::FleetEnergy { share, .. } => Some(*share),
+    pub fn energy_shown(&self) -> Option<EnergyShown> {
+        match *self {
+            Self::CategoryEnergy { of, share, .. } | Self::FleetEnergy { of, share, .. } => {
+                Some(EnergyShown { of, share })
+            }
             _ => None,
         }
     }
@@ -713,6 +726,15 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     }
     of_found_speed(vehicle, found.speed, &mut warnings);
     warnings
+}
+
+/// How much of the energy of the impact crush energies by a typical stiffness show on average.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyShown {
+    /// The vehicles whose energies these are.
+    pub of: [bool; 2],
+    /// (–) the share.
+    pub share: f64,
 }
 
 /// Warns of crush energies by typical stiffnesses: those of categories, and that of the fleet.
@@ -946,6 +968,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
             judge.of(Magnitude::TestDepth, deepest, |usual| usual.depth(None, crush.side));
             judge.of(Magnitude::TestWidth, test.width.si(), |usual| usual.damage_width(None, crush.side));
         }
+        warnings.extend(unlike_fleet(id, vehicle));
     }
     if let Some(friction) = case.impact.as_ref().and_then(|impact| impact.law.friction())
         && !is_usual(friction, USUAL_FRICTION)
@@ -967,6 +990,22 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         friction,
         usual,
     }));
+}
+
+/// (–) the stiffness of the fleet was fitted to depths over the whole width of an end; a damage that is a
+/// quarter narrower has a tenth less energy and more.
+const WHOLE_WIDTH: f64 = 0.75;
+
+/// Warns where the stiffness of the fleet was not fitted to such a vehicle or damage.
+fn unlike_fleet(vehicle: VehicleId, given: &GivenVehicle) -> Option<Warning> {
+    let crush =
+        given.crush.as_ref().filter(|crush| crush.stiffness.typical() == Some(TypicalStiffness::Fleet))?;
+    let model_year = given.model_year.filter(|year| !FLEET_YEARS.contains(year));
+    let is_end = matches!(crush.side, Side::Front | Side::Rear);
+    let widths =
+        crush.width.as_ref().zip(given.outline.as_ref()).map(|(own, end)| [own.si(), end.width.si()]);
+    let widths = widths.filter(|[own, end]| is_end && *own < WHOLE_WIDTH * end);
+    (model_year.is_some() || widths.is_some()).then_some(Warning::UnlikeFleet { vehicle, model_year, widths })
 }
 
 impl From<UncertainRecord> for Warning {

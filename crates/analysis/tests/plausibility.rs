@@ -791,6 +791,37 @@ fn a_friction_limit_that_vehicles_have_not() {
     }
 }
 
+/// The cars of the fleet are of 1991 to 2018, and their depths go over the whole end (docs/calibration.md).
+#[test]
+fn a_car_that_the_fleet_does_not_have() {
+    let text = |year: &str, side: &str, width: &str, stiffness: &str| {
+        format!(
+            "[vehicle1]\nmass = \"1500 kg\"\nlength = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\"\n{year}\n\
+             [vehicle1.crush]\nside = \"{side}\"\nwidth = \"{width}\"\ndepths = \"20 20 cm\"\nstiffness = {stiffness}\n"
+        )
+    };
+    let fleet = "\"fleet\"";
+    for (year, side, width, stiffness, expected) in [
+        ("model_year = 1990", "front", "170 cm", fleet, Some((Some(1990), None))),
+        ("model_year = 1991", "front", "136 cm", fleet, None),
+        ("model_year = 2018", "rear", "136 cm", fleet, None),
+        ("model_year = 2019", "left", "60 cm", fleet, Some((Some(2019), None))),
+        ("", "front", "134 cm", fleet, Some((None, Some([1.34, 1.8])))),
+        ("model_year = 1972", "rear", "80 cm", fleet, Some((Some(1972), Some([0.8, 1.8])))),
+        ("", "left", "60 cm", fleet, None),
+        ("model_year = 1972", "front", "80 cm", "{ category = 3 }", None),
+    ] {
+        let judged = analysis::judge(&parsed(&text(year, side, width, stiffness))).warnings;
+        let found = judged.iter().find_map(|warning| match warning {
+            Warning::UnlikeFleet { vehicle: VehicleId::One, model_year, widths } => {
+                Some((*model_year, *widths))
+            }
+            _ => None,
+        });
+        assert_eq!(found, expected, "{year} {side} {width} {stiffness}");
+    }
+}
+
 /// EDCRASH manual: smooth ice has 0.07 and more, new dry asphalt up to 1.2.
 #[test]
 fn a_friction_that_no_ground_has() {

@@ -280,3 +280,65 @@ fn a_vehicle_that_probably_stood_leaves_a_probability() {
     let chance = found.chance.unwrap();
     assert!((0.05..0.95).contains(&chance.avoided_at_limit), "{}", chance.avoided_at_limit);
 }
+
+/// Two fronts of which either may have stood.
+const MAY_HAVE_STOOD: &str = r#"
+[vehicle1]
+mass = { value = "1500 kg", sd = "25 kg" }
+yaw_radius = { value = "1.4 m", sd = "0.04 m" }
+heading = { value = "37 deg", sd = "2 deg" }
+contact = { x = { value = "1.8 m", sd = "0.08 m" }, y = { value = "-0.5 m", sd = "0.1 m" } }
+length = "4.6 m"
+width = "1.78 m"
+cg_to_front = "2.15 m"
+[vehicle1.crush]
+side = "front"
+width = "0.93842 m"
+depths = "54.19 54.19 54.19 54.19 cm"
+stiffness = { A = "55500 N/m", B = "386000 N/m^2" }
+
+[vehicle2]
+mass = { value = "1250 kg", sd = "25 kg" }
+yaw_radius = { value = "1.3 m", sd = "0.04 m" }
+heading = { value = "-93 deg", sd = "2 deg" }
+contact = { x = { value = "1.7 m", sd = "0.08 m" }, y = { value = "0.5 m", sd = "0.1 m" } }
+length = "4.3 m"
+width = "1.72 m"
+cg_to_front = "2.05 m"
+[vehicle2.crush]
+side = "front"
+width = "0.98392 m"
+depths = "45.96 45.96 45.96 45.96 cm"
+stiffness = { A = "55500 N/m", B = "386000 N/m^2" }
+
+[impact]
+crush_plane = { value = "57 deg", sd = "5 deg" }
+restitution = 0.08
+tangential = { friction = 0.6 }
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+[avoid]
+vehicle = "vehicle1"
+other_party = "vehicle"
+limit = { value = "70 km/h", source = "sign" }
+reaction_time = { low = "0.6 s", high = "1.3 s", source = "x" }
+swell = { value = "0.2 s", source = "x" }
+deceleration = { low = "6 m/s^2", high = "8 m/s^2", source = "x" }
+demand = { time = { value = "1.8 s", sd = "0.25 s" }, reason = "x" }
+"#;
+
+/// The central values are those of a vehicle that moved, as the probabilities are: a vehicle that stood has
+/// no collision to avoid. Unbraked, the speed at the demand is that at the impact.
+#[test]
+fn the_central_speed_and_the_probability_are_of_a_vehicle_that_moved() {
+    let found = asked_with(MAY_HAVE_STOOD, AvoidPlan::default()).unwrap();
+    assert!(
+        found.may_have_stood().is_some_and(|stood| (0.1..0.3).contains(&stood)),
+        "{:?}",
+        found.may_have_stood()
+    );
+    let chance = found.chance.unwrap();
+    assert!(chance.stationary > chance.samples / 10, "{}", chance.stationary);
+    let (central, median) = (found.scene.speed, chance.speed.median);
+    assert!((central / median - 1.0).abs() < 0.03, "{central} {median}");
+}

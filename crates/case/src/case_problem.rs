@@ -173,7 +173,7 @@ pub enum CaseProblem {
     PercentAsSd { path: String, text: String },
     /// Not a percentage.
     #[error("{path} is \"{text}\", but must be a percentage")]
-    NotPercent { path: String, text: String },
+    NotPercent { path: String, text: String, example: &'static str },
     /// A fault of a case that can be read.
     #[error("{message}")]
     Fault { message: String, help: Option<String> },
@@ -378,9 +378,8 @@ impl CaseProblem {
             Self::NotPercent { path, .. } if path.ends_with("within\"") => {
                 "write a number and a percent sign, as in within = \"10 %\"; for a deviation with a unit, write sd = …".to_owned()
             }
-            Self::NotPercent { path, .. } => {
-                let key = path.trim_matches('"').rsplit('.').next().unwrap_or_default();
-                format!("write a number and a percent sign, as in {key} = \"10 %\"")
+            Self::NotPercent { example, .. } => {
+                format!("write a number and a percent sign, as in {example}")
             }
             Self::Fault { help, .. } => return help.clone(),
         };

@@ -625,6 +625,9 @@ pub(crate) static RECORDER: Schema = Schema {
         Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
         Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
         Rule::NeedsIf(&[Has("yaw_rate_error")], &["yaw_rate"]),
+        Rule::NeedsIf(&[Has("speed_error"), Lacks("pre_crash")], &["speed"]),
+        Rule::NeedsIf(&[Has("delta_v_error"), Lacks("pulse")], &["delta_v_longitudinal"]),
+        Rule::NeedsIf(&[Has("at"), Lacks("pulse"), Lacks("records")], &["delta_v_longitudinal"]),
     ],
 };
 
@@ -662,6 +665,8 @@ pub(crate) static RECORD: Schema = Schema {
         Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
         Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
         Rule::NeedsIf(&[Has("yaw_rate_error")], &["yaw_rate"]),
+        Rule::NeedsIf(&[Has("speed_error"), Lacks("pre_crash")], &["speed"]),
+        Rule::NeedsIf(&[Has("delta_v_error"), Lacks("pulse")], &["delta_v_longitudinal"]),
     ],
 };
 

@@ -220,3 +220,29 @@ fn what_cannot_be_read_is_told_with_its_place() {
             .contains("source")
     );
 }
+
+/// The question is about vehicle 1 unless the file says otherwise; a file that describes only the other has
+/// to say so.
+#[test]
+fn a_question_about_a_vehicle_that_is_not_there() {
+    let text = |vehicle: &str, speed: &str| {
+        format!(
+            "[vehicle2]\nspeed = \"60 km/h\"\n[avoid]\n{vehicle}\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\n{speed}\n"
+        )
+    };
+    let asked = |vehicle: &str, speed: &str| {
+        CaseFile::parse("case.toml", &text(vehicle, speed))
+            .unwrap()
+            .case
+            .avoidance()
+            .map_err(|faults| format!("{faults:?}"))
+    };
+    for speed in ["", "speed = \"62 km/h\""] {
+        let errors = asked("", speed).unwrap_err();
+        assert!(errors.contains("asks about [vehicle1], but the case has only [vehicle2]"), "{errors}");
+        assert!(errors.contains("write vehicle = \\\"vehicle2\\\" in [avoid]"), "{errors}");
+    }
+    assert!(asked("vehicle = \"vehicle2\"", "").is_ok());
+    assert!(asked("vehicle = \"vehicle1\"", "speed = \"62 km/h\"").is_ok());
+}

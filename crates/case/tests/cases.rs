@@ -1474,15 +1474,15 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
     let direction_error = option::of(any_quantity(Dimension::Angle, Signs::Positive));
     (delta_v, direction_error, of_speed, yaw_rate).prop_map(
         |((along, across, delta_v_error), direction_error, (speed, speed_error), yaw_rate)| {
-            // A component across the vehicle requires one along it.
+            // A component across the vehicle requires one along it, and an error what it is of.
             let delta_v_lateral = across.filter(|_| along.is_some());
             Recorder {
+                delta_v_error: delta_v_error.filter(|_| along.is_some()),
                 delta_v_longitudinal: along,
                 delta_v_lateral,
-                delta_v_error,
                 direction_error: direction_error.filter(|_| delta_v_lateral.is_some()),
+                speed_error: speed_error.filter(|_| speed.is_some()),
                 speed,
-                speed_error,
                 yaw_rate: yaw_rate.map(|(rate, _)| rate),
                 yaw_rate_error: yaw_rate.and_then(|(_, error)| error),
                 ..Recorder::default()

@@ -420,6 +420,14 @@ pub struct CrushMisfit {
     pub ln_sd: f64,
 }
 
+impl CrushMisfit {
+    /// (–) average share of the impact's energy that crush energies show: exp b.
+    #[must_use]
+    pub fn shown(&self) -> f64 {
+        exp(self.bias)
+    }
+}
+
 /// Error of the crush energy of one vehicle relative to its part of the energy taken by the impact. It
 /// depends on how the energy was obtained.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -367,12 +367,6 @@ impl Fitted {
         self
     }
 
-    /// (–) average share of the impact's energy that crush energies show with the stiffness of the fleet.
-    #[must_use]
-    pub fn crush_shown(&self) -> f64 {
-        real::elementary::exp(self.crush_bias)
-    }
-
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.
     #[must_use]
     pub fn crush_misfit(&self, hit: &[DamagedSide]) -> CrushMisfit {

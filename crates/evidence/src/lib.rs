@@ -64,4 +64,4 @@ pub use fitted::{Behind, DamagedSide, EnergyMethod, FIGURES, FITTED, FigureError
 pub use impact::{DrawnOutput, Impacted, Impacts, LEAST_APPROACH, Way};
 pub use model::{CollisionModel, NO_IMPACT, Piece, Placed, shown_delta_v};
 pub use number::Number;
-pub use tested::TestedClass;
+pub use tested::{FLEET_YEARS, TestedClass};

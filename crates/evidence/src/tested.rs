@@ -34,8 +34,8 @@ const FLEET_HELD_OUT: &str = "cars of 1991 to 2018 in CISS 2017, with the stiffn
                               figures fitted to other crashes";
 const FLEET_SEEN: &str =
     "cars of 1991 to 2018 in CISS 2017, with the stiffness of the fleet, to which the figures were fitted";
-/// The model years of these cars.
-const YEARS: RangeInclusive<u16> = 1991..=2018;
+/// The model years of the cars to which the stiffness of the fleet was fitted.
+pub const FLEET_YEARS: RangeInclusive<u16> = 1991..=2018;
 
 /// docs/calibration.md, section Categories of CRASH3's table.
 const FRONTS: TestedClass = TestedClass {
@@ -153,8 +153,8 @@ impl TestedClass {
     pub fn has_cars_of(method: EnergyMethod, model_year: Option<u16>) -> bool {
         let is_tested = |year: u16| match method {
             // The age, which was not counted in the tests, changes no figure from here on.
-            EnergyMethod::Class => (MODEL_YEARS[1]..=*YEARS.end()).contains(&year),
-            EnergyMethod::Fleet => YEARS.contains(&year),
+            EnergyMethod::Class => (MODEL_YEARS[1]..=*FLEET_YEARS.end()).contains(&year),
+            EnergyMethod::Fleet => FLEET_YEARS.contains(&year),
             EnergyMethod::Coefficients | EnergyMethod::Test | EnergyMethod::Ees | EnergyMethod::OfObject => {
                 true
             }

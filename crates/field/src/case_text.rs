@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use evidence::{Behind, DamagedSide, Fitted};
 use pim_core::VehicleId;
 use real::Real;
-use real::elementary::exp;
 
 use crate::collision::{Layout, TO_FRONT};
 use crate::pair::{Pair, Plane};
@@ -135,7 +134,7 @@ impl Pair {
             "[estimate]".to_owned(),
             // The case file cannot give errors of figures, so these are part of the misfit.
             format!("crush_error = \"{:.1} %\"", 100.0 * whole_misfit(&layout, fitted)),
-            format!("crush_bias = \"{:.1} %\"", 100.0 * exp(fitted.crush_misfit(&layout.damages).bias)),
+            format!("crush_bias = \"{:.1} %\"", 100.0 * fitted.crush_misfit(&layout.damages).shown()),
             "stood = \"0 %\"".to_owned(),
             String::new(),
         ]);

@@ -20,7 +20,10 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
     if printed(energy.tangential_work).starts_with('-') {
         let is_warned =
             analysis.warnings.iter().any(|seen| matches!(seen.warning(), Warning::SlidingDriven { .. }));
-        let size = if is_warned {
+        let size = if analysis.both.is_some() {
+            "Friction cannot do that: the velocities after the impact, from which the impulse follows, are in error by at \
+             least as much, or the contact point or the crush plane is. `deltav estimate` weighs their errors."
+        } else if is_warned {
             "Friction alone cannot do that: see the warning sliding-driven."
         } else {
             "Coefficients that were fitted to staged collisions can add as much (deltav explain sliding-driven)."
@@ -30,6 +33,15 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
              against it, and adds {} to the motion, {} % of E_L. {size}",
             printed(-energy.tangential_work),
             number(-100.0 * energy.tangential_work / energy.loss, 1)
+        ));
+    }
+    if let Some(restitution) = exchange.restitution.filter(|restitution| *restitution < 0.0)
+        && analysis.both.is_some()
+    {
+        notes.push(format!(
+            "e is {}: by these velocities the vehicles still close at C when the impact ends, which cannot be. The \
+             velocities are in error, or the contact point or the crush plane is.",
+            number(restitution, 2)
         ));
     }
     if !adds_up(energy, |work| units.value(Measure::Energy, work).round_ties_even())

@@ -198,22 +198,32 @@ fn crush_error(observed: &Observed) -> Option<String> {
     let [first, second] = VehicleId::ALL.map(|id| observed.shared_ln_sd(id));
     let of = |error: &EnergyError, shared: f64| {
         let own = match error.own_ln_sd {
-            own if own > 0.0 => format!(" for both and {} of its own", significant(own, 2)),
+            own if own > 0.0 => format!(" of the method and {} of the vehicle", significant(own, 2)),
             _ => String::new(),
         };
-        format!(
-            "std. dev. {}{own} of ln, after multiplying by {}",
-            significant(shared, 2),
-            significant(error.factor(), 3)
-        )
+        let first = match error.bias {
+            0.0 => String::new(),
+            _ => format!(", after multiplying by {}", significant(error.factor(), 3)),
+        };
+        format!("std. dev. of ln: {}{own}{first}", significant(shared, 2))
     };
     let [one, two] = [of(&one, first?), of(&two, second?)];
     Some(if one == two { one } else { format!("vehicle 1: {one}; vehicle 2: {two}") })
 }
 
+/// The error of energies by a typical stiffness.
+const AS_FOUND: &str = "Their error is that found in crashes with recorders.";
+
+/// What the error of an energy by the stiffness of the car does not include, where a front struck a fixed
+/// object.
+const AT_OBJECT: &str = " Crush at a fixed object says less about the energy than crush between two vehicles: with the stiffness \
+                         of the fleet, its error in crashes with recorders was three times as great. This error does not \
+                         include that; `crush_error` sets a larger one.";
+
 /// The correction and the error of crush energies, for each method that gave one, and why.
 pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
     let Some(CrushErrors(errors)) = estimated.observed.crush else { return Vec::new() };
+    let misfit = if estimated.is_at_object { FITTED.objects.misfit } else { FITTED.crush_misfit(&[]) };
     let is_default = |key: &str| estimated.default_errors.iter().any(|defaulted| defaulted == key);
     let mut words: Vec<String> = Vec::new();
     for id in VehicleId::ALL {
@@ -229,14 +239,13 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             _ => String::new(),
         };
         let (energies, usual_error) = match method {
+            EnergyMethod::Class if bias == 0.0 => ("by CRASH3's categories", AS_FOUND),
             EnergyMethod::Class => (
                 "by CRASH3's categories",
                 "Their error is that found in crashes with recorders, in which ΔV was still a fifth too low on average \
                  where a vehicle was crushed 45 cm or more (docs/calibration.md).",
             ),
-            EnergyMethod::Fleet => {
-                ("by the stiffness of the fleet", "Their error is that found in crashes with recorders.")
-            }
+            EnergyMethod::Fleet => ("by the stiffness of the fleet", AS_FOUND),
             EnergyMethod::Coefficients => (
                 "from the stiffness that the case gives",
                 "Their error is the part of the error in real crashes that is not due to the stiffness and, \
@@ -271,7 +280,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                 "{energies} are taken as right on average, which no crash with a recorder has tested: with the stiffness of \
                  the fleet by barrier tests, energies were on average {} % of what such an impact takes \
                  (docs/calibration.md; `crush_bias` sets such a share).",
-                percent(FITTED.crush_shown())
+                percent(misfit.shown())
             ),
             (true, true) => format!("{energies} are taken as right on average."),
             (false, _) => format!(
@@ -281,7 +290,9 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         };
         let is_usual = is_default("estimate.crush_error");
         let error_words = if is_usual { usual_error } else { "Their error is `crush_error` of the case." };
-        let sentence = format!("{bias_words} {error_words}");
+        let is_own = matches!(method, EnergyMethod::Coefficients | EnergyMethod::Test);
+        let at_object = if is_usual && is_own && estimated.is_at_object { AT_OBJECT } else { "" };
+        let sentence = format!("{bias_words} {error_words}{at_object}");
         if !words.contains(&sentence) {
             words.push(sentence);
         }

@@ -7,6 +7,7 @@ use analysis::{
 };
 use case::{Basis, Case, ContactSpread, StiffnessSource, TypicalStiffness, VehicleKind};
 use crash3::Side;
+use evidence::FLEET_YEARS;
 use pim_core::{Switch, VehicleId};
 
 use crate::basis::short;
@@ -689,6 +690,24 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             units.road_speed(*si),
             stiffness_check(*source)
         ),
+        Warning::UnlikeFleet { vehicle, model_year, widths } => {
+            let year = model_year.map(|year| {
+                format!(
+                    "vehicle {vehicle} is of model year {year}, and the cars of the fleet are of {} to {}; no test shows how well \
+                     their stiffness fits this one",
+                    FLEET_YEARS.start(),
+                    FLEET_YEARS.end()
+                )
+            });
+            let width = widths.map(|[own, end]| {
+                let [own, end] = [own, end].map(|si| units.format(Measure::Crush, si));
+                format!(
+                    "the depths of vehicle {vehicle} cover {own} of an end {end} wide, but the stiffness of the fleet was fitted to \
+                     depths over the whole width: write them over the whole end, with zeros where it is undamaged"
+                )
+            });
+            [year, width].into_iter().flatten().collect::<Vec<_>>().join("; ")
+        }
         Warning::UnusualFriction { friction } => format!(
             "the friction limit is {friction}, but 0.3 to 1.0 is usual between vehicles; check the decimal \
              point, and that it is neither an angle nor a percentage"
@@ -746,7 +765,7 @@ fn say_what_it_is(kinds: &[VehicleKind]) -> String {
 }
 
 /// Some vehicles, one at least.
-fn vehicles(of: [bool; 2]) -> &'static str {
+pub(crate) fn vehicles(of: [bool; 2]) -> &'static str {
     match of {
         [true, true] => "both vehicles",
         [true, false] => "vehicle 1",

@@ -36,6 +36,8 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
             return vehicles.map(|(number, _)| format!("vehicle{number}.crush.stiffness")).collect();
         }
         Warning::HighNoDamageSpeed { .. } | Warning::LowNoDamageSpeed { .. } => "crush.stiffness",
+        Warning::UnlikeFleet { model_year: Some(_), .. } => "model_year",
+        Warning::UnlikeFleet { model_year: None, .. } => "crush.width",
         Warning::NoResidualCrush { .. } => "crush.depths",
         Warning::MovesBackward { .. } | Warning::GivenSpeedUnused { .. } => "speed",
         Warning::MayHaveBacked { .. } => "certain_speed",

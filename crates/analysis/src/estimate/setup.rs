@@ -116,8 +116,10 @@ pub(super) struct Setup {
     pub(super) energies: [Option<EnergyMethod>; 2],
     /// Where both vehicles were hit, if both move and neither speed is known.
     pub(super) hit: Option<[DamagedSide; 2]>,
-    /// Whether the front of a vehicle of unknown speed met a fixed object.
-    pub(super) is_with_object: bool,
+    /// Whether the front of a vehicle met a fixed object.
+    pub(super) is_at_object: bool,
+    /// Whether a speed is unknown.
+    pub(super) seeks_speed: bool,
     /// The warnings that need no answer.
     pub(super) warnings: Vec<Warning>,
 }
@@ -212,7 +214,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         .filter(|id| !case.vehicles[id.index()].fixed)
         .map(|id| damage(id, &nominal, reference))
         .collect();
-    let is_with_object = sought != [false; 2] && is_with_object(&case, &hit_of_movers);
+    let is_at_object = is_with_object(&case, &hit_of_movers);
     let (observed, notes) = observe(&Scene {
         case: &case,
         prior,
@@ -271,7 +273,8 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         stood,
         energies,
         hit,
-        is_with_object,
+        is_at_object,
+        seeks_speed: sought != [false; 2],
         warnings,
     })
 }

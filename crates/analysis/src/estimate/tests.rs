@@ -233,6 +233,9 @@ fn a_skid_faster_than_the_record_is_doubted() {
         );
         let estimated = run(&read(&text), 128).unwrap();
         assert!(estimated.default_errors.contains(&"vehicle1.recorder.errors".to_owned()));
+        // With an error of its own for the speed, none is taken by default.
+        let given = text.replacen("pre_crash", "speed_error = \"3 %\"\npre_crash", 1);
+        assert!(!of_case(&given).default_errors.contains(&"vehicle1.recorder.errors".to_owned()));
         estimated.warnings.into_iter().find_map(|warning| match warning {
             Warning::SkidAboveRecord { vehicle, recorded, found } => Some((vehicle, recorded, found)),
             _ => None,

@@ -343,7 +343,7 @@ impl<'t> Reader<'t> {
             Node::Number(_) | Node::NotDecimal => self.written(value),
             _ => return self.wrong_type(value, path, "a percentage in quotes", example),
         };
-        self.unread(value, CaseProblem::NotPercent { path: named(&path), text })
+        self.unread(value, CaseProblem::NotPercent { path: named(&path), text, example })
     }
 }
 

@@ -56,6 +56,9 @@ impl<'t> Reader<'t> {
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder")?;
         let at = self.place_of(&table, "at");
+        if table.has("at") && table.given(&["delta_v_longitudinal", "pulse", "records"]).is_empty() {
+            self.missing(&table, "delta_v_longitudinal");
+        }
         let errors = self.child(&table, "errors");
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
@@ -129,13 +132,16 @@ impl<'t> Reader<'t> {
             speed.and_then(|(place, measure)| self.certain_quantity(&place, measure.positive(STOOD), EXACT));
         let [delta_v_error, speed_error] =
             ["delta_v_error", "speed_error"].map(|key| self.percent(table, key));
+        // Each needs what it says something about, or the table from which that follows.
         let needs = [
-            ("delta_v_lateral", "delta_v_longitudinal"),
-            ("direction_error", "delta_v_lateral"),
-            ("yaw_rate_error", "yaw_rate"),
+            ("delta_v_lateral", "delta_v_longitudinal", None),
+            ("direction_error", "delta_v_lateral", None),
+            ("yaw_rate_error", "yaw_rate", None),
+            ("speed_error", "speed", Some("pre_crash")),
+            ("delta_v_error", "delta_v_longitudinal", Some("pulse")),
         ];
-        for (key, needed) in needs {
-            if table.has(key) && !table.has(needed) {
+        for (key, needed, or) in needs {
+            if table.has(key) && !table.has(needed) && !or.is_some_and(|or| table.has(or)) {
                 self.missing(table, needed);
             }
         }

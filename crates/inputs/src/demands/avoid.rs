@@ -333,6 +333,17 @@ impl Demand<'_, f64> {
             self.refuse("avoid.vehicle", format!("[avoid] asks about [{table}], which is fixed"), advice);
             return;
         }
+        let other = super::table(vehicle.other());
+        let is_described = !self.case.vehicles[vehicle.other().index()].is_absent();
+        if avoid.vehicle.is_none() && given.is_absent() && is_described {
+            let reason = format!("[avoid] asks about [{table}], but the case has only [{other}]");
+            let advice = format!(
+                "write vehicle = \"{other}\" in [avoid], or vehicle = \"{table}\" if the question is about the vehicle that the \
+                 case does not describe"
+            );
+            self.refuse("avoid", reason, advice);
+            return;
+        }
         let sought = self.case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
         match (self.case.avoid_speed(), &given.motion) {
             (SpeedForm::AtDemand(_), Some(_)) if !sought => {

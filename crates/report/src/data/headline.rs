@@ -62,8 +62,9 @@ fn reasons(why: &WhyNotExact) -> Value {
         "left_aside": why.left_aside,
         "refuted_by": list(&why.refuted_by, |check| check.code()),
         "contradicted": why.is_contradicted,
-        // The average share of the impact's energy that its crush energies show, if it does not correct them.
-        "energy_share"?: why.energy_share,
+        // The average share of the impact's energy that its crush energies show, if it does not correct them:
+        // that by category if there are two.
+        "energy_share"?: why.energies_shown.first().map(|shown| shown.share),
         // Whether it takes an upper bound of the crush energy for the energy.
         "takes_bound": why.takes_bound,
     }

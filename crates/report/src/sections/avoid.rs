@@ -31,7 +31,7 @@ const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing abo
 #[must_use]
 pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     let mut page = Document::of_case(case);
-    page.push(Block::Answer { found: answer(case, found, units), how: how(found, units) });
+    page.push(Block::Answer { found: answer(case, found, units), how: how(case, found, units) });
     for doubt in avoid_warnings(found, units) {
         page.paragraph(format!("Warning: {doubt}"));
     }
@@ -102,9 +102,9 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     if let Some(chance) = &found.chance {
         let either = format!("at {limit}, or the speed driven where that is lower");
         let lower = if (LOW..HIGH).contains(&chance.above_limit) { &either } else { &at };
-        let moved = if chance.stationary > 0 { ", if the vehicle moved" } else { "" };
+        let moved = if chance.stationary > 0 { ", if the vehicle moved," } else { "" };
         lines.push(format!(
-            "Probability that it is avoided {lower}{moved}: {}; that the vehicle was faster than {limit}: {}",
+            "Probability{moved} that it is avoided {lower}: {}; that the vehicle was faster than {limit}: {}",
             at_a_glance(chance.avoided_at_limit),
             at_a_glance(chance.above_limit),
         ));
@@ -199,6 +199,12 @@ fn in_decimals(probability: f64) -> String {
         low if low < LOW => "below 0.001".to_owned(),
         between => number(between, 3),
     }
+}
+
+/// The ends of an interval, or the one value of what does not vary.
+fn from_to(interval: AvoidInterval, shown: impl Fn(f64) -> String) -> String {
+    let [low, high] = [interval.low, interval.high].map(shown);
+    if low == high { low } else { format!("{low} to {high}") }
 }
 
 /// Its error, if three decimals show the probability.
@@ -442,8 +448,14 @@ const SAME_RATE: f64 = 0.005;
 /// (–) deceleration by g, beyond which no source is at hand for most speeds and surfaces.
 const GREATEST_LISTED: f64 = 1.0;
 
-fn how(found: &Avoidance, units: Units) -> String {
+fn how(case: &Case, found: &Avoidance, units: Units) -> String {
+    let recorder = case.vehicles[found.vehicle.index()].recorder.as_ref();
+    let has_record = recorder.is_some_and(|recorder| recorder.before_impact().is_some());
     let speed = match found.speed_from {
+        SpeedSource::AtDemand if has_record => &format!(
+            "The speed is from [avoid]. The table of the recorder of vehicle {} is not used: it counts if [avoid] has no `speed`",
+            found.vehicle
+        ),
         SpeedSource::AtDemand => "The speed is from [avoid]",
         SpeedSource::AtImpact => "The speed at the impact is from the case",
         SpeedSource::Reconstructed => "The speed at the impact is from `deltav reconstruct`",
@@ -462,8 +474,13 @@ fn how(found: &Avoidance, units: Units) -> String {
                 )
             });
             let doubt = doubt.unwrap_or_default();
+            let moved = found.may_have_stood().map(|stood| {
+                let percent = number(100.0 * stood, 0);
+                format!(" for a vehicle that moved (it was stationary with a probability of {percent} %)")
+            });
+            let moved = moved.unwrap_or_default();
             &format!(
-                "The speed at the impact is the median of `deltav estimate`, from all evidence{exact}{doubt}"
+                "The speed at the impact is the median of `deltav estimate`, from all evidence{moved}{exact}{doubt}"
             )
         }
         SpeedSource::Phases => "The speed at the impact follows from the phases before it",
@@ -1150,6 +1167,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     };
     let error = error_between(chance.avoided_at_limit, chance.mc_error);
     let error = error.map_or_else(String::new, |error| format!("± {}", number(error, 4)));
+    let signed = if error.is_empty() { "" } else { " ± is the sampling error." };
     row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
     let stopped = if found.on_line().is_some() {
         "… because it does not reach the other vehicle"
@@ -1161,13 +1179,11 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     row("driven faster than the limit", chance.above_limit, String::new());
     table.note(format!(
         "The share without a collision, of {} samples of all that is uncertain, once the speed is lowered to \
-         the limit. With all else kept, it is the probability of Davis 2003. ± is the sampling error. The \
-         demand was {} to {} and {} to {} before the impact (95 %).",
+         the limit. With all else kept, it is the probability of Davis 2003.{signed} The demand was {} and {} before the \
+         impact (95 %).",
         grouped(chance.possible),
-        units.format(Measure::Way, chance.distance.low),
-        units.format(Measure::Way, chance.distance.high),
-        units.format(Measure::Time, chance.time.low),
-        units.format(Measure::Time, chance.time.high),
+        from_to(chance.distance, |si| units.format(Measure::Way, si)),
+        from_to(chance.time, |si| units.format(Measure::Time, si)),
     ));
     // Samples and central values may take the vehicle as braked and as unbraked.
     let as_well = match chance.late {

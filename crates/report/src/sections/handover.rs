@@ -430,11 +430,22 @@ fn error_rate(page: &mut Document, analysis: &Analysis, validation: &Validation,
              the speed than between two vehicles (docs/calibration.md).",
         );
     }
-    if let Some(share) = analysis.warnings.iter().find_map(Warning::energy_share) {
+    for warning in &analysis.warnings {
+        let (made_for, energies, share) = match warning {
+            Warning::CategoryEnergy { share, .. } => (
+                "The categories of CRASH3 were made for the cars of these tests, of the 1970s. For those of this case,",
+                "energies by categories",
+                share,
+            ),
+            Warning::FleetEnergy { share, .. } => (
+                "The stiffnesses in these tests are those of their cars. With the stiffness of the fleet,",
+                "energies",
+                share,
+            ),
+            _ => continue,
+        };
         page.paragraph(format!(
-            "The categories of CRASH3 were made for the cars of these tests, of the 1970s. For those of this \
-             case, energies by categories are on average {} % of what the impact takes, so that such speeds are \
-             on average too low.",
+            "{made_for} {energies} are on average {} % of what the impact takes, so that such speeds are on average too low.",
             number(100.0 * share, 0)
         ));
     }

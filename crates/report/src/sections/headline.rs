@@ -1,7 +1,7 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
 //! weighed if there is more, followed by the exact solutions and the objections to each.
 
-use analysis::{Analysis, Seen, Solution, Weighed, WhyNotExact};
+use analysis::{Analysis, EnergyShown, Seen, Solution, Weighed, WhyNotExact};
 use pim_core::VehicleId;
 
 use super::chosen::or_none;
@@ -10,6 +10,7 @@ use crate::document::{Block, Column, Document, Row, Table};
 use crate::estimates::Asked;
 use crate::pictures;
 use crate::units::{Measure, Units, number};
+use crate::warnings::vehicles;
 use crate::words;
 
 /// The headline of a document on a reconstruction.
@@ -129,9 +130,9 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
         let which = if reasons.is_empty() { "the exact solution" } else { "it" };
         reasons.push(format!("Evidence contradicts {which}, as the warnings say."));
     }
-    if let Some(share) = why.energy_share {
+    if let Some(taken) = takes(&why.energies_shown) {
         let which = if reasons.is_empty() { "The exact solution" } else { "It" };
-        reasons.push(format!("{which} {}.", takes(share)));
+        reasons.push(format!("{which} {taken}."));
     }
     if why.takes_bound {
         let which = if reasons.is_empty() { "The exact solution" } else { "It" };
@@ -143,13 +144,22 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
     reasons.join(" ")
 }
 
-/// What an exact solution does with crush energies that on average show this share of the impact's energy.
-fn takes(share: f64) -> String {
-    let share = number(100.0 * share, 0);
-    format!(
-        "takes crush energies from a typical stiffness at face value, although they are on average {share} % of the energy \
+/// What an exact solution does with crush energies that on average show these shares of the impact's energy.
+fn takes(shown: &[EnergyShown]) -> Option<String> {
+    let percent = |shown: &EnergyShown| format!("{} %", number(100.0 * shown.share, 0));
+    let (taken, shares) = match shown {
+        [] => return None,
+        [both] if both.of == [true; 2] => ("crush energies".to_owned(), percent(both)),
+        [one] => (format!("the crush energy of {}", vehicles(one.of)), percent(one)),
+        several => {
+            let each = several.iter().map(|one| format!("{} ({})", percent(one), vehicles(one.of)));
+            ("crush energies".to_owned(), each.collect::<Vec<_>>().join(" and "))
+        }
+    };
+    Some(format!(
+        "takes {taken} from a typical stiffness at face value, although such energies are on average {shares} of the energy \
          of the impact"
-    )
+    ))
 }
 
 /// The checks of the exact solution that refute it, with what they found.
@@ -223,7 +233,7 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
             reasons.push(format!("gives vehicle {id} {found}, but the case has {given}"));
         }
     }
-    reasons.extend(solution.energy_share.map(takes));
+    reasons.extend(takes(&solution.energies_shown));
     if weighed.why.takes_bound && solution.by.is_by_damage() {
         reasons.push("takes the crush energy for known, although it is only an upper bound".to_owned());
     }

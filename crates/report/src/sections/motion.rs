@@ -47,11 +47,14 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let left = format!("how the vehicles left the impact, which {evidence}");
     let angle = units.format(Measure::Angle, both.momentum.angle().abs());
     match &both.method {
-        BothMethod::Momentum => format!(
-            "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10). \
-             The crush energy, if the case has it, is a check.{}",
-            point_masses(both)
-        ),
+        BothMethod::Momentum => {
+            let has_crush = analysis.vehicles.iter().any(|vehicle| vehicle.crush_energy().is_some());
+            let check = if has_crush { " The crush energy is a check." } else { "" };
+            format!(
+                "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10).{check}{}",
+                point_masses(both)
+            )
+        }
         BothMethod::MomentumAndSpeed { given } => format!(
             "The speed follows from momentum along the heading of vehicle {}, from the speed of vehicle {given}, \
              which the case gives ({}), and from {left}; the headings differ by {angle} (theory 10).{}",
@@ -131,18 +134,15 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
         match travel.origin {
             TravelOrigin::Impact | TravelOrigin::Given => {}
             TravelOrigin::Rest => {
+                let turn = format!("with a turn of less than {:.0}°", analysis::UNLIKELY_TURN.to_degrees());
                 let others = match travel.likely_others().count() {
-                    0 => format!(
-                        "No other motion with a turn of less than {:.0}° was found that reaches it",
-                        analysis::UNLIKELY_TURN.to_degrees()
-                    ),
-                    1 => "One other motion reaches it as well".to_owned(),
-                    several => format!("{several} other motions reach it as well"),
+                    0 => format!("No other motion {turn} was found that reaches it"),
+                    1 => format!("One other motion {turn} reaches it as well"),
+                    several => format!("{several} other motions {turn} reach it as well"),
                 };
                 let miss = travel.miss().map_or(0.0, |(miss, _)| miss);
                 how.push_str(&format!(
-                    " The motion of vehicle {id} after the impact is the one that brings it to its rest, \
-                     within {}. {others}.",
+                    " The motion of vehicle {id} after the impact brings it to its rest, within {}. {others}.",
                     apart(miss)
                 ));
             }

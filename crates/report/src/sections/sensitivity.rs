@@ -102,7 +102,7 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
     }
     let without: Vec<String> = without.iter().map(|row| input_name(&row.input)).collect();
     if !without.is_empty() {
-        table.note(format!("no influence: {}", without.join(", ")));
+        table.note(format!("no influence: {}", without.join("; ")));
     }
     table
 }

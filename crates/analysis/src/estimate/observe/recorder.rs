@@ -79,7 +79,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         notes.unused.push(Unused { key: subject.key(key), reason: UnusedReason::OnlyLateral });
     }
     notes.default_error(
-        is_of_table && recorder.errors == GivenSpeedErrors::default(),
+        is_of_table && recorder.speed_error.is_none() && recorder.errors == GivenSpeedErrors::default(),
         subject.key("recorder.errors"),
     );
     let place = told.and_then(|told| told.place);

@@ -278,9 +278,9 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted(&format!("average {fronts} % … between two fronts"), &guide, "43 % between two fronts");
     ledger.quoted(&format!("{sides} % where a side was hit"), &guide, "45 % where a side was hit");
     ledger.quoted(&format!("{rears} % where a rear was hit"), &guide, "87 % where a rear was hit");
-    let fleet = number(100.0 * evidence::FITTED.crush_shown(), 0);
+    let fleet = number(100.0 * evidence::FITTED.crush_misfit(&[]).shown(), 0);
     ledger.made(format!("the stiffness of the fleet (`) were {fleet} %"));
-    let of_object = number(100.0 * evidence::FITTED.objects.misfit.bias.exp(), 0);
+    let of_object = number(100.0 * evidence::FITTED.objects.misfit.shown(), 0);
     ledger.made(format!("of the fleet, {of_object} %"));
     ledger.quoted("crushed 45 cm", &page("docs/calibration.md"), "deepest crush was 45 cm or more");
     ledger.quoted("older car … 1977", &page("docs/theory.md"), "(year − 1977)/(2010 − 1977)");

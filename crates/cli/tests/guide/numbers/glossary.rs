@@ -350,6 +350,8 @@ fn warnings(ledger: &mut Ledger) {
     });
     let [least, most] = usual.unwrap();
     ledger.made(format!("ground is below {least} or above {most}."));
+    let years = evidence::FLEET_YEARS;
+    ledger.made(format!("model years {} to {}, and to depths", years.start(), years.end()));
     ledger.cited("has 0.07 to 0.25, dry asphalt 0.55 to 1.2", "the table of friction in the EDCRASH manual");
     let friction =
         |mu: f64| is_warned("unusual-friction", &skid(1.0, &format!("{{ friction = {mu:?} }}"), ""));
