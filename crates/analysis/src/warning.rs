@@ -992,8 +992,8 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     }));
 }
 
-/// (–) the stiffness of the fleet was fitted to depths over the whole width of an end; a damage that is a
-/// quarter narrower has a tenth less energy and more.
+/// (–) depths over less than this share of an end count as those of a part of it. The stiffness of the fleet
+/// was fitted to depths over the whole width; the share is a choice.
 const WHOLE_WIDTH: f64 = 0.75;
 
 /// Warns where the stiffness of the fleet was not fitted to such a vehicle or damage.

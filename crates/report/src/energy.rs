@@ -38,9 +38,11 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
     if let Some(restitution) = exchange.restitution.filter(|restitution| *restitution < 0.0)
         && analysis.both.is_some()
     {
+        let or =
+            if exchange.at_contact.is_some() { ", or the contact point or the crush plane is" } else { "" };
         notes.push(format!(
-            "e is {}: by these velocities the vehicles still close at C when the impact ends, which cannot be. The \
-             velocities are in error, or the contact point or the crush plane is.",
+            "e is {}: by these velocities the vehicles still approach each other when the impact ends, which no impact law \
+             allows. The velocities are in error{or}.",
             number(restitution, 2)
         ));
     }

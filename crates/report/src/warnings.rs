@@ -693,8 +693,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::UnlikeFleet { vehicle, model_year, widths } => {
             let year = model_year.map(|year| {
                 format!(
-                    "vehicle {vehicle} is of model year {year}, and the cars of the fleet are of {} to {}; no test shows how well \
-                     their stiffness fits this one",
+                    "the stiffness of the fleet was fitted to cars of {} to {}, and vehicle {vehicle} is of {year}: no test shows \
+                     how well it fits",
                     FLEET_YEARS.start(),
                     FLEET_YEARS.end()
                 )

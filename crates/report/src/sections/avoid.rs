@@ -476,7 +476,7 @@ fn how(case: &Case, found: &Avoidance, units: Units) -> String {
             let doubt = doubt.unwrap_or_default();
             let moved = found.may_have_stood().map(|stood| {
                 let percent = number(100.0 * stood, 0);
-                format!(" for a vehicle that moved (it was stationary with a probability of {percent} %)")
+                format!(", if the vehicle moved (it was stationary with a probability of {percent} %)")
             });
             let moved = moved.unwrap_or_default();
             &format!(

@@ -537,7 +537,7 @@ impl<'a> Page<'a> {
             words.push_str(
                 "Median and 95 % interval of the speed of each vehicle from one piece alone, and from all \
                  others. A dash marks a run that has not converged. Bounds and the points of a path have no \
-                 p-value: if a rest disagrees, check the points of its path, too. ",
+                 p-value. If a rest disagrees, check the points of its path as well. ",
             );
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("A dash marks what only a run without the piece can show. ");

@@ -538,7 +538,7 @@ impl<'a> Page<'a> {
                     " The tests were of fronts; the spread is used for all sides.",
                 ),
                 TypicalStiffness::Fleet => {
-                    ("The fleet covers all makes", "that of the fleet", "docs/calibration.md", "")
+                    ("The fleet covers cars of all makes", "that of the fleet", "docs/calibration.md", "")
                 }
             };
             self.document.paragraph(format!(
