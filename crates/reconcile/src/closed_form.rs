@@ -141,8 +141,10 @@ impl<T: Real> Posed<'_, T> {
         let mut approaches = Approaches::none();
         let mut at_borders = Approaches::none();
         for acting in branches(law, limit) {
-            for x in self.quadratic(&acting).roots().into_iter().filter(|x| is_root(*x)) {
-                let [acts, is_at_border] = self.acts(law, &acting, x);
+            for (x, [acts, is_at_border]) in self.roots_under(law, &acting) {
+                if !is_root(x) {
+                    continue;
+                }
                 if acts {
                     approaches.insert(x, APART);
                 } else if is_at_border {
@@ -154,6 +156,13 @@ impl<T: Real> Posed<'_, T> {
             approaches.insert(x, SAME);
         }
         approaches
+    }
+
+    /// Both solutions of the quadratic of one of the [`branches`], each with whether the branch
+    /// [acts](Self::acts) there. Inlined six times with derivatives, it would take the compiler a minute.
+    #[inline(never)]
+    fn roots_under(self, law: &Law<T>, acting: &Law<T>) -> [(T, [bool; 2]); 2] {
+        self.quadratic(acting).roots().map(|x| (x, self.acts(law, acting, x)))
     }
 
     /// The slowest of the approach speeds, or the only root of a cubic. The result is [no root](is_root)
