@@ -54,11 +54,11 @@ fn contents(ledger: &mut Ledger) {
 fn readme(ledger: &mut Ledger) {
     ledger.page("README.md");
     ledger.cited(
-        "compiles, which takes 6 to 7 minutes … 4 minutes",
+        "compiles, which takes 5 to 8 minutes … 3 to … 4 minutes",
         "user and system time, and elapsed time, of the first command in a fresh clone by Rust 1.95 on x86-64",
     );
     ledger.cited(
-        "compiles … 20 minutes … 12 minutes … 4.7 GB … 7 minutes",
+        "compiles … 20 to 25 minutes … 11 to 13 minutes … 4.7 GB … 8 to 10 minutes",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, `du -sh target` afterwards, and the \
          elapsed time of the tests",
     );
