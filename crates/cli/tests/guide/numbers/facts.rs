@@ -54,11 +54,11 @@ fn contents(ledger: &mut Ledger) {
 fn readme(ledger: &mut Ledger) {
     ledger.page("README.md");
     ledger.cited(
-        "compiles, which takes 5 to 8 minutes … 3 to … 4 minutes",
+        "compiles, which takes 5 to 9 minutes … 3 to … 5 minutes",
         "user and system time, and elapsed time, of the first command in a fresh clone by Rust 1.95 on x86-64",
     );
     ledger.cited(
-        "compiles … 20 to 25 minutes … 11 to 13 minutes … 4.7 GB … 8 to 10 minutes",
+        "compiles … 20 to 27 minutes … 11 to 14 minutes … 4.4 GB … 8 to 11 minutes",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, `du -sh target` afterwards, and the \
          elapsed time of the tests",
     );
