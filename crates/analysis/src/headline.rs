@@ -50,7 +50,10 @@ impl<W> Analysis<W> {
 /// with the rest: a case for momentum of point masses may lack data for that, and a rest position is no
 /// evidence if the vehicle cannot be followed to it.
 pub(crate) fn can_be_weighed(case: &Case, exact: &Analysis) -> bool {
-    let is_off = !exact.energies_shown().is_empty() || exact.takes_bound();
+    let is_excluded = |id: &VehicleId| !may_back(case, *id);
+    let is_off = !exact.energies_shown().is_empty()
+        || exact.takes_bound()
+        || exact.nearly_stood().iter().any(is_excluded);
     if exact.left_aside.is_empty() && !is_off {
         return false;
     }
@@ -84,6 +87,8 @@ pub struct WhyNotExact {
     /// Whether it takes the energy at which residual crush begins for that of the impact, although no vehicle
     /// has any.
     pub takes_bound: bool,
+    /// The vehicles that it has move backward so slowly that they are likely to have stood.
+    pub nearly_stood: Vec<VehicleId>,
 }
 
 impl Analysis {
@@ -121,6 +126,19 @@ impl Analysis {
         self.solved_by().is_by_damage() && without > 0 && without == energies.count()
     }
 
+    /// The vehicles that it has move backward, but no faster than those that stood, if the inputs are
+    /// slightly off.
+    #[must_use]
+    pub fn nearly_stood(&self) -> Vec<VehicleId> {
+        let nearly = |warning: &Warning| match warning {
+            Warning::MovesBackward { vehicle, speed, found: true } => {
+                (*speed > NEARLY_STOOD).then_some(*vehicle)
+            }
+            _ => None,
+        };
+        self.warnings.iter().filter_map(nearly).collect()
+    }
+
     /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the
     /// unknown speeds, its average error is zero and the checks hold, if the unused evidence cannot be
     /// weighed but contradicts nothing, and if no speed is unknown.
@@ -145,6 +163,7 @@ impl Analysis {
             is_contradicted: self.warnings.iter().any(differs),
             energies_shown: self.energies_shown(),
             takes_bound: self.takes_bound(),
+            nearly_stood: self.nearly_stood(),
         };
         let is_refuted = why.is_contradicted || !why.refuted_by.is_empty();
         (is_refuted || self.can_be_weighed).then_some(why)
@@ -205,7 +224,8 @@ pub fn weigh(
     let solutions = solutions(case, exact, &estimated);
     for vehicle in VehicleId::ALL.into_iter().filter(|id| !may_back(case, *id)) {
         let speeds = solutions.iter().filter_map(|solution| solution.speeds[vehicle.index()]);
-        let backs = speeds.filter(|speed| (-FASTEST_BACK..BACKS).contains(speed));
+        let slowest = if why.nearly_stood.contains(&vehicle) { 0.0 } else { NEARLY_STOOD };
+        let backs = speeds.filter(|speed| (-FASTEST_BACK..slowest).contains(speed));
         if let Some(speed) = backs.min_by(f64::total_cmp) {
             // It names the speed, which the estimate did not know.
             let is_same =
@@ -239,8 +259,8 @@ impl Weighed {
 
 /// (rad) 45°: no direction of force that was measured or coded with any care is so far off.
 const PDOF_CONTRADICTS: f64 = FRAC_PI_4;
-/// (m/s) an exact solution that is slower than this did not just round a stop: -2 m/s, as fast as a walk.
-const BACKS: f64 = -2.0;
+/// (m/s) an exact solution below this did not just round a stop: -2 m/s, as fast as a walk.
+pub const NEARLY_STOOD: f64 = -2.0;
 /// (m/s) 30 km/h: a solution that is faster backward is wrong, and not that of a vehicle that backed.
 pub const FASTEST_BACK: f64 = 30.0 / 3.6;
 

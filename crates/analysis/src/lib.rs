@@ -108,7 +108,7 @@ pub use exchange::{AtContact, Exchange};
 pub use excluded::Impossible;
 pub use failure::Failure;
 pub use found::Found;
-pub use headline::{FASTEST_BACK, Solution, Weighed, WhyNotExact, weigh};
+pub use headline::{FASTEST_BACK, NEARLY_STOOD, Solution, Weighed, WhyNotExact, weigh};
 pub use impact::Impact;
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use output::{Kind, Of, Output, OutputQuantity, Values};

@@ -215,6 +215,37 @@ fn a_solution_that_backs_too_fast_does_not_lead() {
     }
 }
 
+/// A car that waited was struck from behind. Momentum and crush have it move backward at 4.6 km/h, less than
+/// a walk, so the headline weighs all the evidence; not if the case says that it may have backed, and not
+/// with a rest farther away, by which it moved forward.
+#[test]
+fn a_solution_that_backs_slowly_was_a_vehicle_that_stood() {
+    let [front, rear] =
+        ["{ A = \"56 N/mm\", B = \"0.5 N/mm^2\" }", "{ A = \"66 N/mm\", B = \"0.3 N/mm^2\" }"];
+    let text = include_str!("../../../fixtures/rear-end-rest.toml");
+    let text = text.replace("{ category = 3 }", front).replace("{ category = 2 }", rear);
+    let at_rest = |x: &str| text.replace("x = \"19.0 m\"", &format!("x = \"{x} m\""));
+    let near = at_rest("12.0");
+    let exact = reconstruct(&read(&near)).unwrap();
+    assert!((exact.speed(VehicleId::Two) * 3.6 + 4.6).abs() < 0.05, "{}", exact.speed(VehicleId::Two));
+    let why = exact.why_not_exact().unwrap();
+    assert_eq!(why.nearly_stood, [VehicleId::Two]);
+    assert!(why.refuted_by.is_empty() && !why.is_contradicted && why.energies_shown.is_empty(), "{why:?}");
+
+    let quietly = &mut |_, _, _| ControlFlow::Continue(());
+    let weighed = weigh(&read(&near), &exact, &PLAN, quietly).unwrap().unwrap();
+    let stood = weighed.estimated.stood[1].unwrap().after.value;
+    assert!(stood > 0.5, "{stood}");
+    let backed = Warning::MayHaveBacked { vehicle: VehicleId::Two, speed: Some(exact.speed(VehicleId::Two)) };
+    assert!(weighed.estimated.warnings.contains(&backed), "{:?}", weighed.estimated.warnings);
+
+    let may_back = near.replace("[vehicle2]\n", "[vehicle2]\ncertain_speed = { at_least = \"-20 km/h\" }\n");
+    assert_eq!(reconstruct(&read(&may_back)).unwrap().why_not_exact(), None);
+    let far = reconstruct(&read(&at_rest("35.0"))).unwrap();
+    assert!((far.speed(VehicleId::Two) * 3.6 - 4.9).abs() < 0.05, "{}", far.speed(VehicleId::Two));
+    assert_eq!(far.why_not_exact(), None);
+}
+
 /// A recorder with half the speed by the crush: the headline is near the recorder's, whose error is small,
 /// and the exact solution is shown below it as lying outside.
 #[test]

@@ -268,6 +268,8 @@ pub(crate) fn caveat(analysis: &Analysis) -> String {
         "other evidence of the case contradicts it"
     } else if !why.left_aside.is_empty() {
         "the case has more evidence than it uses"
+    } else if !why.nearly_stood.is_empty() {
+        "a vehicle that it has move backward was probably stationary"
     } else if why.takes_bound {
         "its crush energy is only an upper bound"
     } else {

@@ -2,8 +2,8 @@
 
 use analysis::{
     Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
-    FASTEST_BACK, FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning,
-    Warning, Weighed,
+    FASTEST_BACK, FASTEST_BELIEVED, HIGH_RESTITUTION, JumpSide, Magnitude, NEARLY_STOOD, POINT_MISSED, Seen,
+    SeenWarning, Warning, Weighed,
 };
 use case::{Basis, Case, ContactSpread, StiffnessSource, TypicalStiffness, VehicleKind};
 use crash3::Side;
@@ -15,9 +15,6 @@ use crate::document::{Block, Document};
 use crate::units::{FOOT, Measure, Units, number};
 use crate::words::quoted;
 use crate::{axes, basis, words};
-
-/// (m/s) 10 km/h backward: slightly wrong inputs give a stationary vehicle as much.
-const NEARLY_STOOD: f64 = -10.0 / 3.6;
 
 /// The reference to further information on a warning.
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
@@ -94,7 +91,11 @@ pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) ->
         1 => "1 warning".to_owned(),
         several => format!("{several} warnings"),
     };
-    (!codes.is_empty()).then(|| Block::Notice { count: format!("{count} ({})", codes.join(", ")), heading })
+    let some_are_common = warnings.iter().any(|seen| seen.warning().is_common());
+    let named = codes.join(", ");
+    let count =
+        if some_are_common { format!("{count}, among them {named}") } else { format!("{count} ({named})") };
+    (!codes.is_empty()).then_some(Block::Notice { count, heading })
 }
 
 /// The spread of a placed contact point in the samples of `uncertainty`: along the face and across it.

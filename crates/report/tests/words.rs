@@ -43,22 +43,44 @@ find = ["vehicle1.speed", "vehicle2.speed"]
 
 #[test]
 fn a_negative_speed_is_called_backwards() {
-    // V = (6, −1) m/s: v₂ = −2 m/s = −7.2 km/h.
-    let file = crossing("6.0827625303 m/s", "-9.4623222080 deg");
+    // V = (6, −1.5) m/s: v₂ = −3 m/s = −10.8 km/h.
+    let file = crossing("6.1846584384 m/s", "-14.0362434679 deg");
     let analysis = analysis::reconstruct(&file.case).unwrap();
     let codes: Vec<&str> = analysis.warnings.iter().map(analysis::Warning::code).collect();
     assert!(codes.contains(&"moves-backward"), "{codes:?}");
     let text = report::results(&file.case, &analysis, Units::Si).text();
-    assert!(text.contains("Speed of vehicle 2: -7.2 km/h (-2.00 m/s), backwards\n"), "{text}");
+    assert!(text.contains("Speed of vehicle 2: -10.8 km/h (-3.00 m/s), backwards\n"), "{text}");
     assert!(text.contains("Speed of vehicle 1: 43.2 km/h (12.00 m/s)\n"), "{text}");
     let plain = DrawingRequest { subject: Subject::Scene, plain: true }
         .draw(&file, &analysis, None, Units::Si, None)
         .unwrap();
-    assert!(plain.svg().contains("before: 7.2 km/h backwards"));
-    assert!(plain.description().contains("before: 7.2 km/h backwards"));
+    assert!(plain.svg().contains("before: 10.8 km/h backwards"));
+    assert!(plain.description().contains("before: 10.8 km/h backwards"));
     assert!(plain.svg().contains("before: 43.2 km/h<"));
     let scene = report::drawing(&file, &analysis, Units::Si, Subject::Scene).unwrap();
-    assert!(scene.svg().contains("before: 7.2 km/h backwards"));
+    assert!(scene.svg().contains("before: 10.8 km/h backwards"));
+}
+
+/// Slightly wrong inputs give a vehicle that stood a speed below zero.
+#[test]
+fn a_vehicle_that_backs_slowly_was_probably_stationary() {
+    // V = (6, −0.5) m/s: v₂ = −1 m/s = −3.6 km/h.
+    let file = crossing("6.0207972894 m/s", "-4.7636416907 deg");
+    let analysis = analysis::reconstruct(&file.case).unwrap();
+    let text = report::results(&file.case, &analysis, Units::Si).text();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for told in [
+        "A vehicle was probably stationary: the answer is the estimate from all evidence.",
+        "The exact solution has vehicle 2 move backward at 3.6 km/h; if the inputs are slightly off, a stationary \
+         vehicle comes out like this.",
+    ] {
+        assert!(text.contains(told), "{text}");
+    }
+    let scene = report::drawing(&file, &analysis, Units::Si, Subject::Scene).unwrap();
+    let caveat = "not the answer: a vehicle that it has move backward was probably stationary.";
+    assert!(scene.description().contains(caveat), "{}", scene.description());
+    let json: Value = serde_json::from_str(&report::json(&file, &analysis).unwrap()).unwrap();
+    assert_eq!(json["headline"]["why_not_exact"]["nearly_stood"], serde_json::json!(["vehicle2"]));
 }
 
 /// A vehicle that stood has a speed of zero, but for rounding: that is no movement.

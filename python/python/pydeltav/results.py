@@ -147,6 +147,8 @@ class WhyNotExact(Record):
     """(–) the average share of the impact's energy that its crush energies show, if it does not correct them."""
     takes_bound: bool
     """Whether it takes the energy at which residual crush begins for that of the impact, without residual crush."""
+    nearly_stood: tuple[str, ...]
+    """The vehicles that it has move backward so slowly that they are likely to have stood."""
 
 
 class HeadlineFigure(Record):

@@ -67,6 +67,8 @@ fn reasons(why: &WhyNotExact) -> Value {
         "energy_share"?: why.energies_shown.first().map(|shown| shown.share),
         // Whether it takes an upper bound of the crush energy for the energy.
         "takes_bound": why.takes_bound,
+        // The vehicles that it has move backward so slowly that they are likely to have stood.
+        "nearly_stood": list(&why.nearly_stood, |vehicle| format!("vehicle{vehicle}")),
     }
 }
 

@@ -66,6 +66,8 @@ impl<'a> Headline<'a> {
                     "Evidence refutes the exact solution"
                 } else if why.takes_bound {
                     "The damage only bounds the speed"
+                } else if !why.nearly_stood.is_empty() {
+                    "A vehicle was probably stationary"
                 } else {
                     "The crush energies are too small on average"
                 };
@@ -129,6 +131,14 @@ fn because(why: &WhyNotExact, analysis: &Seen, units: Units) -> String {
     if why.is_contradicted {
         let which = if reasons.is_empty() { "the exact solution" } else { "it" };
         reasons.push(format!("Evidence contradicts {which}, as the warnings say."));
+    }
+    for vehicle in &why.nearly_stood {
+        let which = if reasons.is_empty() { "The exact solution" } else { "It" };
+        let backward = units.format(Measure::RoadSpeed, analysis.speed(*vehicle).abs());
+        reasons.push(format!(
+            "{which} has vehicle {vehicle} move backward at {backward}; if the inputs are slightly off, a stationary vehicle \
+             comes out like this."
+        ));
     }
     if let Some(taken) = takes(&why.energies_shown) {
         let which = if reasons.is_empty() { "The exact solution" } else { "It" };

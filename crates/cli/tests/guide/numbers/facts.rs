@@ -391,6 +391,7 @@ fn motion(ledger: &mut Ledger) {
 fn reconciliation(ledger: &mut Ledger) {
     ledger.page("docs/guide/reconciliation.md");
     ledger.made(format!("no more than {} km/h", number(3.6 * analysis::FASTEST_BELIEVED, 0)));
+    ledger.made(format!("above {} km/h, the", number(3.6 * analysis::NEARLY_STOOD, 1)));
     let theory = page("docs/theory.md");
     ledger.quoted("(1 − e²)(E_1 + E_2) … absorbed", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
     ledger.made(format!("heading … {}°", degrees(PI)));

@@ -283,6 +283,9 @@ fn warnings(ledger: &mut Ledger) {
     ledger.made(format!("{} cm … outside", number(100.0 * threshold(0.3, 0.0, outside), 0)));
     ledger.made(format!("differs … {}°", pdof_difference()));
     ledger.made(format!("without it 0 to {} km/h", number(3.6 * analysis::FASTEST_BELIEVED, 0)));
+    let nearly_stood = number(3.6 * analysis::NEARLY_STOOD, 1);
+    ledger.made(format!("above {nearly_stood} km/h the estimate"));
+    ledger.made(format!("below {nearly_stood} km/h, or any"));
     // A recorder of the Altima, whose speed in the case is 10 mph.
     let recorder = |off: f64| {
         let speed = 10.0 * MILE_PER_HOUR + off;
