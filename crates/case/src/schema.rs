@@ -628,8 +628,26 @@ pub(crate) static RECORDER: Schema = Schema {
         Rule::NeedsIf(&[Has("speed_error"), Lacks("pre_crash")], &["speed"]),
         Rule::NeedsIf(&[Has("delta_v_error"), Lacks("pulse")], &["delta_v_longitudinal"]),
         Rule::NeedsIf(&[Has("at"), Lacks("pulse"), Lacks("records")], &["delta_v_longitudinal"]),
+        Rule::NeedsIf(&INCOMPLETE_ALONE, &["speed"]),
+        Rule::NeedsIf(&OTHER_IMPACTS_ALONE, &["speed"]),
     ],
 };
+
+static INCOMPLETE_ALONE: [Condition; 7] = of_nothing(True("incomplete"));
+static OTHER_IMPACTS_ALONE: [Condition; 7] = of_nothing(Has("other_impacts"));
+
+/// That a recorder has this, and nothing that it stored.
+const fn of_nothing(this: Condition) -> [Condition; 7] {
+    [
+        this,
+        Lacks("delta_v_longitudinal"),
+        Lacks("speed"),
+        Lacks("yaw_rate"),
+        Lacks("pre_crash"),
+        Lacks("pulse"),
+        Lacks("records"),
+    ]
+}
 
 /// The keys of a single record, which cannot be combined with a list of several.
 pub(crate) static KEYS_OF_RECORD: [&str; 11] = names_of(&STORED);

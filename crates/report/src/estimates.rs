@@ -425,6 +425,36 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
             "the vehicle cannot be followed to its rest",
             "`friction` of [surface] and `drag` of its table `after`",
         ],
+        UnusedReason::NoPlace => [
+            "no_place",
+            "no rest or point is used here, to which a vehicle would be followed",
+            "`rest` or `points` in the table `after`, or leave this out",
+        ],
+        UnusedReason::NoRest => [
+            "no_rest",
+            "no rest is used here, to which a vehicle would be followed",
+            "`rest` in the table `after`, or leave this out",
+        ],
+        UnusedReason::NoCrushEnergy => [
+            "no_crush_energy",
+            "no crush energy is used here",
+            "`crush` or an EES in the table of a vehicle, or leave this out",
+        ],
+        UnusedReason::NoSpeeds => [
+            "no_speeds",
+            "these are the errors of a table of speeds, which this recorder does not give",
+            "`pre_crash`; `speed_error` for a single speed",
+        ],
+        UnusedReason::NoneStood => [
+            "none_stood",
+            "the speed of each vehicle is known, or it certainly moved",
+            "nothing: leave this out",
+        ],
+        UnusedReason::FlatPrior => [
+            "flat_prior",
+            "the flat prior has no severity: every speed is as likely as any other",
+            "another `prior`, or leave this out",
+        ],
         _ => ["other", "the estimate does not use it", "nothing"],
     }
 }

@@ -47,6 +47,18 @@ pub enum UnusedReason {
     StoodByRecord,
     /// Phases that lead from a known speed to one at the impact.
     Phases,
+    /// How a vehicle rolls, or the error of a rest or point, if no vehicle is followed to one.
+    NoPlace,
+    /// The error of a heading at rest, if no vehicle is followed to its rest.
+    NoRest,
+    /// The error of crush energies, of which none is evidence.
+    NoCrushEnergy,
+    /// The errors of a table of speeds that the recorder does not give.
+    NoSpeeds,
+    /// The probability that a vehicle stood, if none may have.
+    NoneStood,
+    /// The median severity of a prior that has none.
+    FlatPrior,
 }
 
 /// Notes on the evidence.

@@ -111,7 +111,40 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let (crush, figures) = crush.map_or((None, None), |(errors, figures)| (Some(errors), figures));
     let crush_is_bound = case.has_no_residual_crush();
-    (Observed { vehicles, pdofs_differ, severity, crush, crush_is_bound, figures }, notes)
+    let observed = Observed { vehicles, pdofs_differ, severity, crush, crush_is_bound, figures };
+    notes.unused.extend(of_nothing(case, &observed));
+    (observed, notes)
+}
+
+/// What the case says about evidence that the estimate does not have.
+fn of_nothing(case: &Case, observed: &Observed) -> Vec<Unused> {
+    let given = case.estimate.unwrap_or_default();
+    let has_rest = observed.vehicles.each_ref().map(|vehicle| vehicle.rest.is_some());
+    let has_place = [0, 1].map(|place| has_rest[place] || !observed.vehicles[place].points.is_empty());
+    let mut unused = Vec::new();
+    let mut add = |key: String, is_unused: bool, reason| {
+        if is_unused {
+            unused.push(Unused { key, reason });
+        }
+    };
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
+        let key = |of: &str| format!("{}.{of}", table(id));
+        if let Some(after) = vehicle.after.as_ref().filter(|_| !has_place[id.index()]) {
+            add(key("after.friction"), after.friction.is_some(), UnusedReason::NoPlace);
+            add(key("after.drag"), after.drag.is_some(), UnusedReason::NoPlace);
+            add(key("after.steer"), after.steer.is_some(), UnusedReason::NoPlace);
+        }
+    }
+    let [no_rest, no_place] = [has_rest, has_place].map(|has| has == [false; 2]);
+    let [no_energy, is_flat] = [observed.crush.is_none(), observed.severity.is_none()];
+    let mut of_estimate = |key: &str, is_unused, reason| add(format!("estimate.{key}"), is_unused, reason);
+    of_estimate("delta_v_median", is_flat && given.delta_v_median.is_some(), UnusedReason::FlatPrior);
+    of_estimate("crush_error", no_energy && given.crush_error.is_some(), UnusedReason::NoCrushEnergy);
+    of_estimate("crush_bias", no_energy && given.crush_bias.is_some(), UnusedReason::NoCrushEnergy);
+    of_estimate("rest_error", no_place && given.rest_error.is_some(), UnusedReason::NoPlace);
+    of_estimate("rest_least_error", no_place && given.rest_least_error.is_some(), UnusedReason::NoPlace);
+    of_estimate("rest_heading_error", no_rest && given.rest_heading_error.is_some(), UnusedReason::NoRest);
+    unused
 }
 
 /// (rad) 30°, an hour of the clock: two PDOFs that are farther from opposite are not of one force.

@@ -182,6 +182,9 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let open = Open::of(&case, &ranges);
     let slots = slots(&case, &ranges, &nominal, followed, &mut unknowns)?;
     let stood = stood(sought, &case);
+    if stood == [0.0; 2] && given.stood.is_some_and(|percent| percent > 0.0) {
+        unused.push(Unused { key: "estimate.stood".to_owned(), reason: UnusedReason::NoneStood });
+    }
     let speeds = speeds(sought, stood, prior, &case, &mut unknowns)?;
     let mut open_number = |is_open: bool, key, prior, assumed| {
         is_open.then(|| unknowns.assumed(key, prior, assumed)).transpose()

@@ -1575,6 +1575,43 @@ fn points_that_are_not_followed_are_named() {
     assert_eq!(unused(&format!("{rest}\n{points}")), [of("rest"), of("points")]);
 }
 
+/// What says something about evidence that the estimate does not have is named.
+#[test]
+fn what_applies_to_nothing_is_named() {
+    let unused = |text: &str| {
+        let setup = of_case(text);
+        setup.unused.into_iter().map(|one| (one.key, one.reason)).collect::<Vec<_>>()
+    };
+    let errors = "delta_v_median = \"20 km/h\"\ncrush_error = \"30 %\"\ncrush_bias = \"60 %\"\nrest_error = \"5 %\"\n\
+                  rest_least_error = \"1 m\"\nrest_heading_error = \"9 deg\"\nstood = \"30 %\"\n";
+    let rolls = "[vehicle1.after]\nfriction = 0.7\ndrag = 0.1\nsteer = \"2 deg\"\n";
+    let recorder = "[vehicle1.recorder]\nspeed = \"30 km/h\"\nerrors = { step = \"2 km/h\" }\n";
+    let wheels = "wheelbase = \"2.6 m\"\ntrack = \"1.5 m\"\ncg_to_front_axle = \"1.1 m\"\n";
+    let first = format!("{errors}[vehicle1]\n{wheels}");
+    let text = CENTRAL.replacen("[vehicle1]", &first, 1) + rolls + recorder;
+    let of = |key: &str, reason| (key.to_owned(), reason);
+    assert_eq!(
+        unused(&text),
+        [
+            of("estimate.stood", UnusedReason::NoneStood),
+            of("vehicle1.recorder.errors", UnusedReason::NoSpeeds),
+            of("vehicle1.after.friction", UnusedReason::NoPlace),
+            of("vehicle1.after.drag", UnusedReason::NoPlace),
+            of("vehicle1.after.steer", UnusedReason::NoPlace),
+            of("estimate.delta_v_median", UnusedReason::FlatPrior),
+            of("estimate.crush_error", UnusedReason::NoCrushEnergy),
+            of("estimate.crush_bias", UnusedReason::NoCrushEnergy),
+            of("estimate.rest_error", UnusedReason::NoPlace),
+            of("estimate.rest_least_error", UnusedReason::NoPlace),
+            of("estimate.rest_heading_error", UnusedReason::NoRest),
+        ]
+    );
+    // With both rests, crush, a severity and a speed that may be zero, each applies to something.
+    let text = include_str!("../../../../fixtures/rear-end-rest.toml");
+    let with_errors = unused(&format!("{text}\n[estimate]\n{errors}"));
+    assert_eq!(with_errors, unused(text));
+}
+
 /// A vehicle whose velocity is zero stands, in either form, so that the other one moved.
 #[test]
 fn a_velocity_of_zero_stands() {

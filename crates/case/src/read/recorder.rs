@@ -51,6 +51,9 @@ const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
     "a string with a number and a unit: an uncertain speed belongs in `speed` of the vehicle, as a range";
 
+/// What a recorder stores: the other keys say something about these.
+const CONTENTS: [&str; 6] = ["delta_v_longitudinal", "speed", "yaw_rate", "pre_crash", "pulse", "records"];
+
 impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
@@ -63,7 +66,12 @@ impl<'t> Reader<'t> {
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
         let other_impacts = self.other_impacts(&table);
-        let recorder = Recorder { at, errors, records, other_impacts, ..self.record(&table) };
+        let record = self.record(&table);
+        let says_of_record = record.incomplete || table.has("other_impacts");
+        if says_of_record && table.given(&CONTENTS).is_empty() {
+            self.missing(&table, "speed");
+        }
+        let recorder = Recorder { at, errors, records, other_impacts, ..record };
         (recorder != Recorder::default()).then_some(recorder)
     }
 

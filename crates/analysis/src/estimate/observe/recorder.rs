@@ -82,6 +82,9 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool, notes: &mut Notes) -
         is_of_table && recorder.speed_error.is_none() && recorder.errors == GivenSpeedErrors::default(),
         subject.key("recorder.errors"),
     );
+    if recorder.pre_crash.is_none() && recorder.errors != GivenSpeedErrors::default() {
+        notes.unused.push(Unused { key: subject.key("recorder.errors"), reason: UnusedReason::NoSpeeds });
+    }
     let place = told.and_then(|told| told.place);
     let place = place.map(|at| RecorderPlace { at, yaw_rate: axes.lateral(before) });
     RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate, place }
