@@ -427,12 +427,12 @@ pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
         ],
         UnusedReason::NoPlace => [
             "no_place",
-            "no rest or point is used here, to which a vehicle would be followed",
+            "it counts only for a vehicle that is followed to its rest or points",
             "`rest` or `points` in the table `after`, or leave this out",
         ],
         UnusedReason::NoRest => [
             "no_rest",
-            "no rest is used here, to which a vehicle would be followed",
+            "it counts only for a vehicle that is followed to its rest",
             "`rest` in the table `after`, or leave this out",
         ],
         UnusedReason::NoCrushEnergy => [
